@@ -1,0 +1,3 @@
+//! The povista command.
+
+fn main() {}
