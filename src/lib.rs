@@ -2,14 +2,14 @@
 //!
 //! A module imports only from those listed before it.
 
-pub mod math;
-pub mod source;
-pub mod diag;
-pub mod options;
-pub mod syntax;
-pub mod scene;
-pub mod world;
-pub mod compile;
-pub mod interp;
-pub mod render;
 pub mod cli;
+pub mod compile;
+pub mod diag;
+pub mod interp;
+pub mod math;
+pub mod options;
+pub mod render;
+pub mod scene;
+pub mod source;
+pub mod syntax;
+pub mod world;

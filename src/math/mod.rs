@@ -1,1 +1,10 @@
-//! (being built)
+//! Numbers, vectors and colours: what every other layer is built on. No I/O, no state.
+
+pub mod bounds;
+pub mod color;
+pub mod transform;
+
+pub use bounds::Bounds;
+pub use color::{Rgb, Rgbft};
+pub use glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
+pub use transform::Transform;

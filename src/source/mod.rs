@@ -1,1 +1,5 @@
-//! (being built)
+//! Text and where it stands.
+
+pub mod span;
+
+pub use span::{FileId, Span};

@@ -1,0 +1,82 @@
+//! Colours as POV-Ray keeps them: single precision, unclamped, linear in the scene's working space.
+
+/// Red, green, blue in single precision; any value, highlights exceed 1 and negative lights exist.
+pub type Rgb = glam::Vec3A;
+
+/// A pigment's colour: rgb, and how light passes through it.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Rgbft {
+    /// Red, green, blue.
+    pub rgb: Rgb,
+    /// Share of light passed and multiplied by `rgb`.
+    pub filter: f32,
+    /// Share of light passed unchanged.
+    pub transmit: f32,
+}
+
+impl Rgbft {
+    /// Opaque black.
+    pub const BLACK: Self = Self::opaque(Rgb::ZERO);
+
+    /// `rgb` without filter or transmit.
+    pub const fn opaque(rgb: Rgb) -> Self {
+        Self { rgb, filter: 0.0, transmit: 0.0 }
+    }
+
+    /// From the five components in the order red, green, blue, filter, transmit.
+    pub const fn new(components: [f32; 5]) -> Self {
+        let [r, g, b, filter, transmit] = components;
+        Self { rgb: Rgb::new(r, g, b), filter, transmit }
+    }
+
+    /// The five components in the order red, green, blue, filter, transmit.
+    pub fn to_array(self) -> [f32; 5] {
+        [self.rgb.x, self.rgb.y, self.rgb.z, self.filter, self.transmit]
+    }
+
+    /// What the surface keeps for itself, `1 - filter - transmit` (docs/spec/shading.md 1).
+    pub fn opacity(self) -> f32 {
+        1.0 - self.filter - self.transmit
+    }
+
+    /// The factor for light passing through, `rgb * filter + transmit` (docs/spec/shading.md 1).
+    pub fn through(self) -> Rgb {
+        self.rgb * self.filter + Rgb::splat(self.transmit)
+    }
+
+    /// `self + t * (other - self)` in every component, in single precision, never clamped
+    /// (docs/spec/patterns-textures.md 3.2).
+    pub fn blend(self, other: Self, t: f32) -> Self {
+        let mix = |a: f32, b: f32| a + t * (b - a);
+        Self {
+            rgb: self.rgb + t * (other.rgb - self.rgb),
+            filter: mix(self.filter, other.filter),
+            transmit: mix(self.transmit, other.transmit),
+        }
+    }
+}
+
+/// POV-Ray's grey: `0.297 r + 0.589 g + 0.114 b` (docs/spec/shading.md 1).
+pub fn grey(color: Rgb) -> f32 {
+    0.297 * color.x + 0.589 * color.y + 0.114 * color.z
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn filtered_light_takes_the_pigments_colour_and_transmitted_light_does_not() {
+        let glass = Rgbft::new([0.8, 0.4, 0.2, 0.5, 0.25]);
+        assert!(glass.through().abs_diff_eq(Rgb::new(0.65, 0.45, 0.35), 1e-6));
+        assert_eq!(glass.opacity(), 0.25);
+    }
+
+    #[test]
+    fn blending_reaches_both_ends_and_never_clamps() {
+        let (a, b) = (Rgbft::new([0.0, 1.0, 2.0, 0.0, 1.0]), Rgbft::new([1.0, 0.0, 4.0, 0.5, 0.0]));
+        assert_eq!(a.blend(b, 0.0), a);
+        assert_eq!(a.blend(b, 1.0), b);
+        assert_eq!(a.blend(b, 2.0).rgb.z, 6.0);
+    }
+}

@@ -1,0 +1,23 @@
+//! `spline { … }` (docs/spec/language.md 5).
+
+/// A spline through up to five components.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spline {
+    /// How points are joined.
+    pub kind: SplineKind,
+    /// Sorted by key, at least one.
+    pub points: Vec<(f64, [f64; 5])>,
+    /// Components in use, 2 … 5.
+    pub size: usize,
+}
+
+/// How the points of a [`Spline`] are joined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[expect(missing_docs, reason = "the language's own words")]
+pub enum SplineKind {
+    #[default]
+    Linear,
+    Quadratic,
+    Cubic,
+    Natural,
+}
