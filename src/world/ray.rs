@@ -1,0 +1,54 @@
+//! Rays and the stretch of them that counts.
+
+use crate::math::{DVec3, Transform};
+
+/// A half-line. World-space rays have unit directions; in an object's space the direction keeps
+/// whatever length the transform gives it, so a distance `t` means the same point in every space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where it starts.
+    pub origin: DVec3,
+    /// Where it goes.
+    pub direction: DVec3,
+}
+
+impl Ray {
+    /// A ray as given.
+    pub fn new(origin: DVec3, direction: DVec3) -> Self {
+        Self { origin, direction }
+    }
+
+    /// The point at distance `t`.
+    pub fn at(&self, t: f64) -> DVec3 {
+        self.origin + t * self.direction
+    }
+
+    /// The same ray in the inner space of `transform`.
+    pub fn to_inner(&self, transform: &Transform) -> Self {
+        Self {
+            origin: transform.inverse_point(self.origin),
+            direction: transform.inverse_vector(self.direction),
+        }
+    }
+}
+
+/// The open interval of distances in which crossings count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Lower end, excluded.
+    pub min: f64,
+    /// Upper end, excluded.
+    pub max: f64,
+}
+
+impl Range {
+    /// Everything in front of the origin.
+    pub const AHEAD: Self = Self { min: 0.0, max: f64::INFINITY };
+    /// The whole line.
+    pub const LINE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
+
+    /// Whether `t` is strictly inside.
+    pub fn contains(self, t: f64) -> bool {
+        self.min < t && t < self.max
+    }
+}

@@ -1,0 +1,66 @@
+//! The primitives: one file each, all behind [`Shape`].
+
+use super::ray::{Range, Ray};
+use crate::math::{Bounds, DVec2, DVec3};
+
+/// One crossing of a ray with a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Distance along the ray.
+    pub t: f64,
+    /// Which part of the surface was hit: a face, a triangle, a component. The shape's own numbering.
+    pub part: u32,
+    /// Where on the part: barycentric coordinates of a triangle, parameters of a patch. The shape's own.
+    pub at: [f64; 2],
+}
+
+/// A geometry in its own space. The space is reached by the caller; directions of rays are not unit.
+///
+/// Distances carry no absolute tolerance: a shape reports every crossing in the open range, as
+/// exactly as f64 allows at the ray's and the shape's own scale.
+pub trait Shape: Send + Sync + std::fmt::Debug {
+    /// A box around the surface and, for solids, the inside; may be unbounded.
+    fn bounds(&self) -> Bounds;
+
+    /// Adds every crossing in `range`, in ascending order of `t`; tangent points count once.
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>);
+
+    /// The nearest crossing in `range`. Overridden where that is cheaper than finding all.
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let mut all = Vec::new();
+        self.crossings(ray, range, &mut all);
+        all.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+    }
+
+    /// Whether anything is crossed in `range`.
+    fn occludes(&self, ray: &Ray, range: Range) -> bool {
+        self.nearest(ray, range).is_some()
+    }
+
+    /// Whether `point` is inside, with POV-Ray's rule for points exactly on the surface
+    /// (docs/spec/primitives.md, "inside" of each shape). Surfaces without an inside say `false`.
+    fn inside(&self, point: DVec3) -> bool;
+
+    /// Whether the shape has an inside at all.
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    /// The outward normal at a crossing, not necessarily unit; for smooth triangles the interpolated one.
+    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3;
+
+    /// The true surface normal where [`Shape::normal`] is an interpolated one.
+    fn geometric_normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        self.normal(point, crossing)
+    }
+
+    /// Texture coordinates at a crossing; `None` where POV-Ray has none and takes world x and y.
+    fn uv(&self, _point: DVec3, _crossing: &Crossing) -> Option<DVec2> {
+        None
+    }
+
+    /// Moves a computed hit point onto the surface as exactly as f64 allows.
+    fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
+        point
+    }
+}
