@@ -2,9 +2,11 @@
 
 pub mod bounds;
 pub mod color;
+pub mod gamma;
 pub mod transform;
 
 pub use bounds::Bounds;
 pub use color::{Rgb, Rgbft};
+pub use gamma::Gamma;
 pub use glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
 pub use transform::Transform;

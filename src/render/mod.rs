@@ -1,1 +1,3 @@
-//! (being built)
+//! From a compiled scene to a picture.
+
+pub mod film;
