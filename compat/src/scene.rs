@@ -90,7 +90,7 @@ impl Places {
 
     /// Our own scenes, every sixth example that is not slow, and whatever once regressed.
     pub fn quick(&self) -> io::Result<Vec<Scene>> {
-        let regressed = read_names(&self.list("regressions.txt"))?;
+        let regressed = self.regressed()?;
         let mut scenes = self.ours()?;
         for (index, (name, seconds)) in self.example_list()?.into_iter().enumerate() {
             let sampled = index % QUICK_STEP == 0 && seconds <= QUICK_SECONDS;
@@ -99,6 +99,15 @@ impl Places {
             }
         }
         Ok(scenes)
+    }
+
+    /// The names in `compat/regressions.txt`: scenes that matched once and then didn't.
+    pub fn regressed(&self) -> io::Result<BTreeSet<String>> {
+        match fs::read_to_string(self.list("regressions.txt")) {
+            Ok(text) => Ok(lines(&text).map(str::to_owned).collect()),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(BTreeSet::new()),
+            Err(error) => Err(error),
+        }
     }
 
     /// `scenes/` and `tests/render/` of this repository.
@@ -179,15 +188,6 @@ impl Places {
             switches,
             seconds,
         })
-    }
-}
-
-/// The names in a list file, one to a line; a missing file is an empty list.
-fn read_names(list: &Path) -> io::Result<BTreeSet<String>> {
-    match fs::read_to_string(list) {
-        Ok(text) => Ok(lines(&text).map(str::to_owned).collect()),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(BTreeSet::new()),
-        Err(error) => Err(error),
     }
 }
 
