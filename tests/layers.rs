@@ -6,10 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules of the library: each imports only from those before it.
-const ORDER: [&str; 11] = [
-    "math", "source", "diag", "options", "syntax", "scene", "world", "compile", "interp", "render",
-    "cli",
-];
+const ORDER: [&str; 11] =
+    ["math", "source", "diag", "options", "syntax", "scene", "world", "compile", "interp", "render", "cli"];
 
 /// Imports the order would allow, but the design doesn't: the compiled scene knows nothing of the
 /// description it was made from.
@@ -32,19 +30,13 @@ fn a_module_imports_only_from_its_left() {
     for module in library() {
         let name = module.path[0].as_str();
         let Some(place) = ORDER.iter().position(|&other| other == name) else {
-            wrong.push(format!(
-                "{}: `{name}` has no place in the order of modules",
-                module.file.display()
-            ));
+            wrong.push(format!("{}: `{name}` has no place in the order of modules", module.file.display()));
             continue;
         };
         for import in imports(&module.path, &module.code) {
             let later = ORDER[place + 1..].contains(&import.as_str());
             if later || FORBIDDEN.contains(&(name, &import)) {
-                wrong.push(format!(
-                    "{}: `{name}` imports `{import}`",
-                    module.file.display()
-                ));
+                wrong.push(format!("{}: `{name}` imports `{import}`", module.file.display()));
             }
         }
     }
@@ -54,14 +46,7 @@ fn a_module_imports_only_from_its_left() {
 #[test]
 fn no_file_is_too_long() {
     let mut long = Vec::new();
-    for folder in [
-        "src",
-        "grammar",
-        "tests",
-        "benches",
-        "compat/src",
-        "compat/tests",
-    ] {
+    for folder in ["src", "grammar", "tests", "benches", "compat/src", "compat/tests"] {
         for file in files(&root().join(folder), &["rs", "pest"]) {
             let lines = fs::read_to_string(&file).unwrap().lines().count();
             if lines > LINES {
@@ -69,20 +54,13 @@ fn no_file_is_too_long() {
             }
         }
     }
-    assert!(
-        long.is_empty(),
-        "more than {LINES} lines:\n{}",
-        long.join("\n")
-    );
+    assert!(long.is_empty(), "more than {LINES} lines:\n{}", long.join("\n"));
 }
 
 #[test]
 fn only_the_command_prints() {
     let mut printing = Vec::new();
-    for module in library()
-        .into_iter()
-        .filter(|module| module.path[0] != "cli")
-    {
+    for module in library().into_iter().filter(|module| module.path[0] != "cli") {
         for print in ["print!", "println!", "eprint!", "eprintln!", "dbg!"] {
             if words(&module.code, print).next().is_some() {
                 printing.push(format!("{} uses {print}", module.file.display()));
@@ -98,50 +76,19 @@ fn imports_are_found_however_they_are_written() {
         let path: Vec<String> = path.iter().map(|name| (*name).to_owned()).collect();
         imports(&path, &code_of(text)).into_iter().collect()
     };
+    assert_eq!(found(&["world", "ray"], "use crate::scene::Object;"), ["scene"]);
     assert_eq!(
-        found(&["world", "ray"], "use crate::scene::Object;"),
-        ["scene"]
-    );
-    assert_eq!(
-        found(
-            &["world"],
-            "use crate::{math::{Bounds, interp}, diag,\n render::trace};"
-        ),
+        found(&["world"], "use crate::{math::{Bounds, interp}, diag,\n render::trace};"),
         ["diag", "math", "render"]
     );
-    assert_eq!(
-        found(&["world", "ray"], "fn f() { super::super::cli::run() }"),
-        ["cli"]
-    );
+    assert_eq!(found(&["world", "ray"], "fn f() { super::super::cli::run() }"), ["cli"]);
     assert!(found(&["world", "shape", "sphere"], "use super::super::scene;").is_empty());
+    assert!(found(&["world"], "// crate::cli\n/* crate::interp /* */ crate::cli */").is_empty());
     assert!(
-        found(
-            &["world"],
-            "// crate::cli\n/* crate::interp /* */ crate::cli */"
-        )
-        .is_empty()
+        found(&["world"], "let a = (\"crate::cli \\\" crate::cli\", r#\"crate::\"cli\"#, '\"');").is_empty()
     );
-    assert!(
-        found(
-            &["world"],
-            "let a = (\"crate::cli \\\" crate::cli\", r#\"crate::\"cli\"#, '\"');"
-        )
-        .is_empty()
-    );
-    assert_eq!(
-        found(
-            &["world"],
-            "fn f<'a>(x: &'a str) { crate::math::g('\\'', '\"') }"
-        ),
-        ["math"]
-    );
-    assert!(
-        found(
-            &["world"],
-            "struct A;\n#[cfg(test)]\nmod tests { use crate::cli; }"
-        )
-        .is_empty()
-    );
+    assert_eq!(found(&["world"], "fn f<'a>(x: &'a str) { crate::math::g('\\'', '\"') }"), ["math"]);
+    assert!(found(&["world"], "struct A;\n#[cfg(test)]\nmod tests { use crate::cli; }").is_empty());
 }
 
 fn root() -> &'static Path {
@@ -154,10 +101,7 @@ fn library() -> Vec<Module> {
     let mut modules = Vec::new();
     for file in files(&src, &["rs"]) {
         let below = file.strip_prefix(&src).unwrap().with_extension("");
-        let mut path: Vec<String> = below
-            .iter()
-            .map(|name| name.to_str().unwrap().to_owned())
-            .collect();
+        let mut path: Vec<String> = below.iter().map(|name| name.to_str().unwrap().to_owned()).collect();
         if path.last().is_some_and(|name| name == "mod") {
             path.pop();
         }
@@ -165,18 +109,10 @@ fn library() -> Vec<Module> {
         let is_test = path.iter().any(|name| name == "tests" || name == "battery");
         if !is_root && !is_test {
             let code = code_of(&fs::read_to_string(&file).unwrap());
-            modules.push(Module {
-                file: below,
-                path,
-                code,
-            });
+            modules.push(Module { file: below, path, code });
         }
     }
-    assert!(
-        modules.len() >= ORDER.len(),
-        "found too few modules in {}",
-        src.display()
-    );
+    assert!(modules.len() >= ORDER.len(), "found too few modules in {}", src.display());
     modules
 }
 
@@ -187,10 +123,7 @@ fn files(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
         let path = entry.unwrap().path();
         if path.is_dir() {
             found.extend(files(&path, extensions));
-        } else if path
-            .extension()
-            .is_some_and(|e| extensions.iter().any(|&wanted| e == wanted))
-        {
+        } else if path.extension().is_some_and(|e| extensions.iter().any(|&wanted| e == wanted)) {
             found.push(path);
         }
     }
@@ -243,10 +176,7 @@ fn first_names(rest: &str) -> Vec<String> {
 }
 
 fn name_at(text: &str) -> String {
-    text.trim_start()
-        .chars()
-        .take_while(|&c| c.is_alphanumeric() || c == '_')
-        .collect()
+    text.trim_start().chars().take_while(|&c| c.is_alphanumeric() || c == '_').collect()
 }
 
 /// Rust text with comments, strings and characters blanked and the tests at its end cut off.
@@ -305,9 +235,7 @@ fn raw_string(text: &str) -> usize {
     }
     let end = format!("\"{}", "#".repeat(hashes));
     let body = hashes + 2;
-    text[body..]
-        .find(&end)
-        .map_or(text.len(), |at| body + at + end.len())
+    text[body..].find(&end).map_or(text.len(), |at| body + at + end.len())
 }
 
 /// The length of the string or character `text` begins with.

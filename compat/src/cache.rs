@@ -39,10 +39,7 @@ impl Cache {
     /// The cache in `folder`, made where it isn't.
     pub fn at(folder: PathBuf) -> io::Result<Self> {
         fs::create_dir_all(&folder)?;
-        Ok(Cache {
-            folder,
-            folders: Mutex::default(),
-        })
+        Ok(Cache { folder, folders: Mutex::default() })
     }
 
     /// POV-Ray's rendering of `scene`: the one kept, or a new one, then kept unless it ran out of time.
@@ -90,12 +87,7 @@ impl Cache {
 
     fn key(&self, povray: &Program, scene: &Scene, threads: u32) -> io::Result<String> {
         let mut hash = Sha256::new();
-        for text in [
-            FORMAT,
-            &povray.version,
-            &scene.file_name(),
-            &threads.to_string(),
-        ] {
+        for text in [FORMAT, &povray.version, &scene.file_name(), &threads.to_string()] {
             add(&mut hash, text.as_bytes());
         }
         for switch in &scene.switches {
@@ -103,11 +95,7 @@ impl Cache {
         }
         add(&mut hash, &fs::read(&scene.path)?);
         add(&mut hash, &self.folder_hash(scene.folder())?);
-        Ok(hash
-            .finalize()
-            .iter()
-            .map(|byte| format!("{byte:02x}"))
-            .collect())
+        Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
     }
 
     fn folder_hash(&self, folder: &Path) -> io::Result<Arc<[u8]>> {
@@ -162,10 +150,7 @@ mod tests {
                 folder.path().join("runs").display()
             );
             crate::suite::tests::write_program(&program, &script);
-            let povray = Program {
-                path: program,
-                version: "POV-Ray 3.7".to_owned(),
-            };
+            let povray = Program { path: program, version: "POV-Ray 3.7".to_owned() };
             Bench { folder, povray }
         }
 
@@ -181,14 +166,9 @@ mod tests {
         /// Asks a cache that starts afresh, as another run would, and counts all runs so far.
         fn runs_after(&self, scene: &Scene, threads: u32) -> usize {
             let cache = Cache::at(self.folder.path().join("cache")).unwrap();
-            let rendering = cache
-                .reference(&self.povray, scene, threads, Duration::from_secs(5))
-                .unwrap();
+            let rendering = cache.reference(&self.povray, scene, threads, Duration::from_secs(5)).unwrap();
             assert_eq!(rendering.outcome, Outcome::Refused("Error: no".to_owned()));
-            fs::read_to_string(self.folder.path().join("runs"))
-                .unwrap()
-                .lines()
-                .count()
+            fs::read_to_string(self.folder.path().join("runs")).unwrap().lines().count()
         }
     }
 

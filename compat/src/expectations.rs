@@ -30,9 +30,7 @@ impl Expectations {
     /// Reads the list; a missing file is an empty one.
     pub fn read(list: &Path) -> io::Result<Self> {
         match fs::read_to_string(list) {
-            Ok(text) => {
-                Expectations::parse(&text).map_err(|e| invalid(format!("{}: {e}", list.display())))
-            }
+            Ok(text) => Expectations::parse(&text).map_err(|e| invalid(format!("{}: {e}", list.display()))),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Expectations::default()),
             Err(error) => Err(error),
         }
@@ -45,10 +43,7 @@ impl Expectations {
             if reason.trim().is_empty() {
                 return Err(format!("`{scene}` has no reason: want `SCENE: REASON`"));
             }
-            if reasons
-                .insert(scene.trim().to_owned(), reason.trim().to_owned())
-                .is_some()
-            {
+            if reasons.insert(scene.trim().to_owned(), reason.trim().to_owned()).is_some() {
                 return Err(format!("`{scene}` is listed twice"));
             }
         }
@@ -62,22 +57,17 @@ impl Expectations {
 
     /// One sentence for each case that isn't as listed. A crash is never as expected.
     pub fn surprises(&self, cases: &[Case]) -> Vec<String> {
-        cases
-            .iter()
-            .filter_map(|case| self.surprise(case))
-            .collect()
+        cases.iter().filter_map(|case| self.surprise(case)).collect()
     }
 
     fn surprise(&self, case: &Case) -> Option<String> {
         let scene = &case.scene;
         match (case.verdict, self.reason(scene)) {
-            (Verdict::Match, Some(reason)) => Some(format!(
-                "{scene} matches, but is listed in compat/expectations: {reason}"
-            )),
-            (Verdict::Match, None) => None,
-            (Verdict::Crashed, _) | (_, None) => {
-                Some(format!("{scene} {}: {}", case.verdict, finding(case)))
+            (Verdict::Match, Some(reason)) => {
+                Some(format!("{scene} matches, but is listed in compat/expectations: {reason}"))
             }
+            (Verdict::Match, None) => None,
+            (Verdict::Crashed, _) | (_, None) => Some(format!("{scene} {}: {}", case.verdict, finding(case))),
             (_, Some(_)) => None,
         }
     }
@@ -85,14 +75,9 @@ impl Expectations {
     /// Listed scenes that are not among `scenes`, where those are all there are.
     pub fn unknown<'a>(&'a self, scenes: impl Iterator<Item = &'a str>) -> Vec<String> {
         let scenes: BTreeSet<&str> = scenes.collect();
-        let unknown = self
-            .reasons
-            .keys()
-            .filter(|scene| !scenes.contains(scene.as_str()));
+        let unknown = self.reasons.keys().filter(|scene| !scenes.contains(scene.as_str()));
         unknown
-            .map(|scene| {
-                format!("{scene} is listed in compat/expectations, but there is no such scene")
-            })
+            .map(|scene| format!("{scene} is listed in compat/expectations, but there is no such scene"))
             .collect()
     }
 
@@ -127,12 +112,7 @@ impl Expectations {
 pub fn finding(case: &Case) -> String {
     match &case.difference {
         Some(d) if case.message.is_empty() => {
-            format!(
-                "{:.2} % of pixels near, mean {:.2}, RMSE {:.2}",
-                d.near * 100.0,
-                d.mean,
-                d.rmse
-            )
+            format!("{:.2} % of pixels near, mean {:.2}, RMSE {:.2}", d.near * 100.0, d.mean, d.rmse)
         }
         _ => case.message.clone(),
     }
@@ -165,7 +145,8 @@ pub(crate) mod tests {
         ]
     }
 
-    const LIST: &str = "# known\nmended.pov: rounding of spheres\nknown.pov: media: next\n\ndead.pov: deep recursion\n";
+    const LIST: &str =
+        "# known\nmended.pov: rounding of spheres\nknown.pov: media: next\n\ndead.pov: deep recursion\n";
 
     #[test]
     fn only_what_is_not_as_listed_surprises() {
@@ -181,34 +162,21 @@ pub(crate) mod tests {
 
     #[test]
     fn every_line_has_a_reason_and_a_scene_of_its_own() {
-        assert_eq!(
-            Expectations::parse("a.pov").unwrap_err(),
-            "`a.pov` has no reason: want `SCENE: REASON`"
-        );
-        assert_eq!(
-            Expectations::parse("a.pov: x\na.pov: y").unwrap_err(),
-            "`a.pov` is listed twice"
-        );
+        assert_eq!(Expectations::parse("a.pov").unwrap_err(), "`a.pov` has no reason: want `SCENE: REASON`");
+        assert_eq!(Expectations::parse("a.pov: x\na.pov: y").unwrap_err(), "`a.pov` is listed twice");
     }
 
     #[test]
     fn updating_drops_matches_adds_failures_and_keeps_reasons() {
         let folder = tempfile::tempdir().unwrap();
         let list = folder.path().join("expectations");
-        Expectations::parse(LIST)
-            .unwrap()
-            .updated(&cases())
-            .write(&list)
-            .unwrap();
+        Expectations::parse(LIST).unwrap().updated(&cases()).write(&list).unwrap();
         let text = fs::read_to_string(&list).unwrap();
         assert_eq!(
             text.strip_prefix(HEAD).unwrap(),
             "broken.pov: refused, not supported yet: photons\ndead.pov: deep recursion\nknown.pov: media: next\n"
         );
-        assert_eq!(
-            Expectations::read(&list).unwrap().reason("known.pov"),
-            Some("media: next")
-        );
+        assert_eq!(Expectations::read(&list).unwrap().reason("known.pov"), Some("media: next"));
     }
 
     #[test]

@@ -35,12 +35,7 @@ struct Arguments {
     #[arg(long, default_value_t = 1)]
     threads: u32,
     /// Switches for both programs, after those of the scene, such as "+W640 +H480"
-    #[arg(
-        long,
-        value_name = "SWITCHES",
-        default_value = "",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "SWITCHES", default_value = "", allow_hyphen_values = true)]
     switches: String,
     /// Only what keeps scenes from matching, counted
     #[arg(long)]
@@ -84,17 +79,11 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
     if arguments.time {
         return time(&scenes, arguments, limit);
     }
-    let suite = Suite {
-        povista: povista(arguments)?,
-        ..suite(&places, arguments, limit)?
-    };
+    let suite = Suite { povista: povista(arguments)?, ..suite(&places, arguments, limit)? };
     let cases = compare(&suite, &scenes)?;
     let report = Report {
         povray: &suite.povray.version,
-        povista: suite
-            .povista
-            .as_ref()
-            .map_or("", |povista| &povista.version),
+        povista: suite.povista.as_ref().map_or("", |povista| &povista.version),
         cases: &cases,
     };
     if arguments.references {
@@ -103,21 +92,9 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
     }
     let list = places.list("expectations");
     let expectations = Expectations::read(&list)?;
-    let folder = arguments
-        .report
-        .clone()
-        .unwrap_or_else(|| places.list("report"));
-    report.write(&folder, |scene| {
-        expectations.reason(scene).map(str::to_owned)
-    })?;
-    print!(
-        "{}",
-        if arguments.summary {
-            report::features(&report)
-        } else {
-            report::cases(&report)
-        }
-    );
+    let folder = arguments.report.clone().unwrap_or_else(|| places.list("report"));
+    report.write(&folder, |scene| expectations.reason(scene).map(str::to_owned))?;
+    print!("{}", if arguments.summary { report::features(&report) } else { report::cases(&report) });
     println!("see {}", folder.join("report.html").display());
     if arguments.update {
         expectations.updated(&cases).write(&list)?;
@@ -140,25 +117,19 @@ fn scenes(places: &Places, arguments: &Arguments) -> io::Result<Vec<Scene>> {
         scenes.extend(match target.as_str() {
             "quick" => places.quick()?,
             "all" => places.all()?,
-            path => places
-                .under(path.as_ref())
-                .map_err(|e| io::Error::new(e.kind(), format!("{path}: {e}")))?,
+            path => {
+                places.under(path.as_ref()).map_err(|e| io::Error::new(e.kind(), format!("{path}: {e}")))?
+            }
         });
     }
     for scene in &mut scenes {
-        scene
-            .switches
-            .extend(arguments.switches.split_whitespace().map(str::to_owned));
+        scene.switches.extend(arguments.switches.split_whitespace().map(str::to_owned));
     }
     Ok(scenes)
 }
 
 fn povista(arguments: &Arguments) -> io::Result<Option<Program>> {
-    if arguments.references {
-        Ok(None)
-    } else {
-        Program::povista().map(Some)
-    }
+    if arguments.references { Ok(None) } else { Program::povista().map(Some) }
 }
 
 /// A suite with POV-Ray alone.
@@ -187,14 +158,7 @@ fn time(scenes: &[Scene], arguments: &Arguments, limit: Duration) -> io::Result<
     let mut timings = Vec::new();
     for scene in scenes {
         eprintln!("timing {}", scene.name);
-        match timing::time(
-            &povray,
-            &povista,
-            scene,
-            arguments.threads,
-            arguments.rounds,
-            limit,
-        )? {
+        match timing::time(&povray, &povista, scene, arguments.threads, arguments.rounds, limit)? {
             Some(timing) => timings.push(timing),
             None => eprintln!("{} has no two pictures", scene.name),
         }
@@ -219,12 +183,7 @@ fn list_examples(places: &Places, arguments: &Arguments, limit: Duration) -> io:
         list.push_str(&format!("{name} {:.0}\n", case.povray_seconds));
     }
     std::fs::write(places.list("examples.txt"), list)?;
-    println!(
-        "{} of {} examples are rendered by {}",
-        rendered.count(),
-        cases.len(),
-        suite.povray.version
-    );
+    println!("{} of {} examples are rendered by {}", rendered.count(), cases.len(), suite.povray.version);
     for case in cases.iter().filter(|case| case.pictures[0].is_none()) {
         println!("{}: {}", case.scene, case.message);
     }

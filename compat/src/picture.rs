@@ -38,12 +38,7 @@ impl Picture {
         let alpha = image.color().has_alpha();
         let image = image.into_rgba8();
         let pixels = image.pixels().map(|pixel| pixel.0).collect();
-        Ok(Picture {
-            width: image.width(),
-            height: image.height(),
-            alpha,
-            pixels,
-        })
+        Ok(Picture { width: image.width(), height: image.height(), alpha, pixels })
     }
 
     /// Width and height in pixels.
@@ -81,11 +76,7 @@ impl Picture {
     /// Where two pictures of one size differ, as a PNG: black within the tolerance, then from blue
     /// over red to white with the logarithm of the greatest channel difference.
     pub fn heat_map(&self, other: &Picture) -> ImageResult<Vec<u8>> {
-        let heat = self
-            .pixels
-            .iter()
-            .zip(&other.pixels)
-            .flat_map(|(a, b)| heat(pixel_distance(a, b, 4)));
+        let heat = self.pixels.iter().zip(&other.pixels).flat_map(|(a, b)| heat(pixel_distance(a, b, 4)));
         let image = RgbImage::from_raw(self.width, self.height, heat.collect()).unwrap_or_default();
         let mut png = Vec::new();
         DynamicImage::ImageRgb8(image).write_to(&mut Cursor::new(&mut png), ImageFormat::Png)?;
@@ -95,22 +86,14 @@ impl Picture {
 
 /// The greatest channel difference of two pixels.
 fn pixel_distance(a: &[u8; 4], b: &[u8; 4], channels: usize) -> u8 {
-    (0..channels)
-        .map(|channel| a[channel].abs_diff(b[channel]))
-        .max()
-        .unwrap_or(0)
+    (0..channels).map(|channel| a[channel].abs_diff(b[channel])).max().unwrap_or(0)
 }
 
 /// The colour of a difference.
 fn heat(distance: u8) -> [u8; 3] {
     /// Colours from just beyond the tolerance to the greatest difference.
-    const RAMP: [[f64; 3]; 5] = [
-        [20., 30., 110.],
-        [110., 30., 150.],
-        [215., 45., 70.],
-        [250., 160., 40.],
-        [255., 255., 225.],
-    ];
+    const RAMP: [[f64; 3]; 5] =
+        [[20., 30., 110.], [110., 30., 150.], [215., 45., 70.], [250., 160., 40.], [255., 255., 225.]];
     if distance <= NEAR {
         return [0; 3];
     }
@@ -118,9 +101,7 @@ fn heat(distance: u8) -> [u8; 3] {
     let place = (f64::from(distance).ln() - low) / (high - low) * (RAMP.len() - 1) as f64;
     let step = (place as usize).min(RAMP.len() - 2);
     let share = place - step as f64;
-    std::array::from_fn(|i| {
-        (RAMP[step][i] + (RAMP[step + 1][i] - RAMP[step][i]) * share).round() as u8
-    })
+    std::array::from_fn(|i| (RAMP[step][i] + (RAMP[step + 1][i] - RAMP[step][i]) * share).round() as u8)
 }
 
 #[cfg(test)]
@@ -131,9 +112,7 @@ pub(crate) mod tests {
     pub(crate) fn png(width: u32, height: u32, pixel: impl Fn(u32, u32) -> [u8; 3]) -> Vec<u8> {
         let image = RgbImage::from_fn(width, height, |x, y| image::Rgb(pixel(x, y)));
         let mut png = Vec::new();
-        DynamicImage::ImageRgb8(image)
-            .write_to(&mut Cursor::new(&mut png), ImageFormat::Png)
-            .unwrap();
+        DynamicImage::ImageRgb8(image).write_to(&mut Cursor::new(&mut png), ImageFormat::Png).unwrap();
         png
     }
 
@@ -152,15 +131,7 @@ pub(crate) mod tests {
     #[test]
     fn a_picture_is_no_distance_from_itself() {
         let a = picture(|x, y| [x as u8, y as u8, 0]);
-        assert_eq!(
-            a.difference(&a).unwrap(),
-            Difference {
-                worst: 0,
-                near: 1.0,
-                mean: 0.0,
-                rmse: 0.0
-            }
-        );
+        assert_eq!(a.difference(&a).unwrap(), Difference { worst: 0, near: 1.0, mean: 0.0, rmse: 0.0 });
     }
 
     #[test]
@@ -189,17 +160,8 @@ pub(crate) mod tests {
 
     #[test]
     fn alpha_counts_where_a_picture_has_it() {
-        let opaque = Picture {
-            width: 1,
-            height: 1,
-            alpha: false,
-            pixels: vec![[9, 9, 9, 255]],
-        };
-        let clear = Picture {
-            alpha: true,
-            pixels: vec![[9, 9, 9, 247]],
-            ..opaque.clone()
-        };
+        let opaque = Picture { width: 1, height: 1, alpha: false, pixels: vec![[9, 9, 9, 255]] };
+        let clear = Picture { alpha: true, pixels: vec![[9, 9, 9, 247]], ..opaque.clone() };
         let d = opaque.difference(&clear).unwrap();
         assert_eq!((d.worst, d.mean), (8, 2.0));
     }
@@ -208,10 +170,8 @@ pub(crate) mod tests {
     fn heat_is_black_within_the_tolerance_and_brightens_beyond() {
         assert_eq!(heat(0), [0; 3]);
         assert_eq!(heat(2), [0; 3]);
-        let brightness: Vec<u32> = [3, 8, 30, 100, 255]
-            .iter()
-            .map(|&d| heat(d).iter().map(|&c| u32::from(c)).sum())
-            .collect();
+        let brightness: Vec<u32> =
+            [3, 8, 30, 100, 255].iter().map(|&d| heat(d).iter().map(|&c| u32::from(c)).sum()).collect();
         assert!(brightness.is_sorted_by(|a, b| a < b), "{brightness:?}");
         assert_eq!(heat(255), [255, 255, 225]);
     }
@@ -219,18 +179,10 @@ pub(crate) mod tests {
     #[test]
     fn the_heat_map_lies_over_the_pictures() {
         let a = picture(|_, _| [0; 3]);
-        let b = picture(|x, y| {
-            if (x, y) == (7, 2) {
-                [255, 0, 0]
-            } else {
-                [1; 3]
-            }
-        });
+        let b = picture(|x, y| if (x, y) == (7, 2) { [255, 0, 0] } else { [1; 3] });
         let map = Picture::decode(&a.heat_map(&b).unwrap()).unwrap();
         assert_eq!(map.size(), (10, 4));
-        let hot: Vec<usize> = (0..40)
-            .filter(|&i| map.pixels[i] != [0, 0, 0, 255])
-            .collect();
+        let hot: Vec<usize> = (0..40).filter(|&i| map.pixels[i] != [0, 0, 0, 255]).collect();
         assert_eq!(hot, [27]);
     }
 }

@@ -35,19 +35,12 @@ pub struct Sandbox {
 impl Sandbox {
     /// Copies `folder` with all it holds.
     pub fn copy_of(folder: &Path) -> io::Result<Self> {
-        let sandbox = Sandbox {
-            root: tempfile::Builder::new()
-                .prefix("povista-compat-")
-                .tempdir()?,
-        };
+        let sandbox = Sandbox { root: tempfile::Builder::new().prefix("povista-compat-").tempdir()? };
         let inner = sandbox.scene_folder();
         let mut bytes = 0;
         for entry in WalkDir::new(folder).follow_links(true) {
             let entry = entry?;
-            let below = entry
-                .path()
-                .strip_prefix(folder)
-                .map_err(io::Error::other)?;
+            let below = entry.path().strip_prefix(folder).map_err(io::Error::other)?;
             let to = inner.join(below);
             if entry.file_type().is_dir() {
                 fs::create_dir_all(to)?;
@@ -55,10 +48,7 @@ impl Sandbox {
             }
             bytes += entry.metadata()?.len();
             if bytes > FOLDER_BYTES {
-                return Err(io::Error::other(format!(
-                    "{} is too large to copy",
-                    folder.display()
-                )));
+                return Err(io::Error::other(format!("{} is too large to copy", folder.display())));
             }
             fs::write(to, fs::read(entry.path())?)?;
         }
@@ -97,11 +87,7 @@ impl Sandbox {
         let status = wait(&mut child, start + cpu * WALL_PER_CPU)?;
         let wall = start.elapsed();
         let stderr = String::from_utf8_lossy(&fs::read(&errors)?).into_owned();
-        Ok(Finished {
-            ended: status.map_or(Ended::OutOfTime, Ended::from),
-            stderr,
-            wall,
-        })
+        Ok(Finished { ended: status.map_or(Ended::OutOfTime, Ended::from), stderr, wall })
     }
 }
 
@@ -163,13 +149,8 @@ mod tests {
         fs::write(folder.path().join("a.inc"), "kept").unwrap();
         let sandbox = Sandbox::copy_of(folder.path()).unwrap();
         let arguments = ["-c".to_owned(), script.to_owned()];
-        let finished = sandbox
-            .run(Path::new("/bin/sh"), &arguments, Duration::from_secs(cpu))
-            .unwrap();
-        assert_eq!(
-            fs::read_to_string(folder.path().join("a.inc")).unwrap(),
-            "kept"
-        );
+        let finished = sandbox.run(Path::new("/bin/sh"), &arguments, Duration::from_secs(cpu)).unwrap();
+        assert_eq!(fs::read_to_string(folder.path().join("a.inc")).unwrap(), "kept");
         finished
     }
 

@@ -61,35 +61,21 @@ impl Program {
             Some(path) => path.into(),
             None => beside_us("povista")?,
         };
-        Program::at(
-            path,
-            "build it with `cargo build` in the same profile, or set POVISTA_BIN",
-        )
+        Program::at(path, "build it with `cargo build` in the same profile, or set POVISTA_BIN")
     }
 
     /// The program at `path`, asked for its version; `mend` is what to do where it doesn't run.
     pub fn at(path: PathBuf, mend: &str) -> io::Result<Self> {
-        let output = Command::new(&path)
-            .arg("--version")
-            .output()
-            .map_err(|error| {
-                io::Error::new(
-                    error.kind(),
-                    format!("cannot run `{}` ({error}): {mend}", path.display()),
-                )
-            })?;
+        let output = Command::new(&path).arg("--version").output().map_err(|error| {
+            io::Error::new(error.kind(), format!("cannot run `{}` ({error}): {mend}", path.display()))
+        })?;
         // povray writes its version to standard error, below complaints about missing files.
         let text = [output.stdout, output.stderr].concat();
         let text = String::from_utf8_lossy(&text).into_owned();
-        let version = text
-            .lines()
-            .find(|line| line.starts_with("POV-Ray ") || line.starts_with("povista "));
+        let version = text.lines().find(|line| line.starts_with("POV-Ray ") || line.starts_with("povista "));
         let version = version
             .ok_or_else(|| {
-                invalid(format!(
-                    "`{} --version` names neither POV-Ray nor povista",
-                    path.display()
-                ))
+                invalid(format!("`{} --version` names neither POV-Ray nor povista", path.display()))
             })?
             .trim()
             .to_owned();
@@ -109,11 +95,7 @@ impl Program {
     pub fn render(&self, scene: &Scene, threads: u32, limit: Duration) -> io::Result<Rendering> {
         let sandbox = Sandbox::copy_of(scene.folder())?;
         let picture = sandbox.picture();
-        let finished = sandbox.run(
-            &self.path,
-            &Program::arguments(scene, threads, &picture),
-            limit,
-        )?;
+        let finished = sandbox.run(&self.path, &Program::arguments(scene, threads, &picture), limit)?;
         let wall = finished.wall.as_secs_f64();
         let outcome = outcome(&finished, std::fs::read(picture).ok());
         Ok(Rendering { outcome, wall })
@@ -133,10 +115,7 @@ fn beside_us(name: &str) -> io::Result<PathBuf> {
 
 /// Reads how a renderer ended: by its exit code first, then by what it wrote.
 fn outcome(finished: &Finished, picture: Option<Vec<u8>>) -> Outcome {
-    let panicked = finished
-        .stderr
-        .lines()
-        .find(|line| line.contains("panicked at"));
+    let panicked = finished.stderr.lines().find(|line| line.contains("panicked at"));
     match finished.ended {
         Ended::OutOfTime => Outcome::OutOfTime,
         Ended::Signal(signal) => Outcome::Crashed(format!("signal {signal}")),
@@ -157,20 +136,9 @@ fn outcome(finished: &Finished, picture: Option<Vec<u8>>) -> Outcome {
 /// The one line of a program's output that says why it gave up.
 fn error_line(stderr: &str) -> String {
     let plain = without_escapes(stderr);
-    let lines: Vec<&str> = plain
-        .lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty())
-        .collect();
-    let says = |what: &str| {
-        lines
-            .iter()
-            .position(|line| line.to_ascii_lowercase().contains(what))
-    };
-    let Some(first) = says("not supported yet")
-        .or_else(|| says("error:"))
-        .or_else(|| says("error"))
-    else {
+    let lines: Vec<&str> = plain.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let says = |what: &str| lines.iter().position(|line| line.to_ascii_lowercase().contains(what));
+    let Some(first) = says("not supported yet").or_else(|| says("error:")).or_else(|| says("error")) else {
         return lines.last().map_or("no message", |line| line).to_owned();
     };
     lines[first].to_owned()
@@ -195,11 +163,7 @@ mod tests {
     use super::*;
 
     fn ended(ended: Ended, stderr: &str) -> Finished {
-        Finished {
-            ended,
-            stderr: stderr.to_owned(),
-            wall: Duration::ZERO,
-        }
+        Finished { ended, stderr: stderr.to_owned(), wall: Duration::ZERO }
     }
 
     #[test]
@@ -207,9 +171,7 @@ mod tests {
         let stderr = "Warning: no camera\nFile 'a.pov' line 3: Parse Error: \u{1b}[31mnot supported yet\u{1b}[0m: media\nmore\n";
         assert_eq!(
             outcome(&ended(Ended::Code(1), stderr), None),
-            Outcome::Refused(
-                "File 'a.pov' line 3: Parse Error: not supported yet: media".to_owned()
-            )
+            Outcome::Refused("File 'a.pov' line 3: Parse Error: not supported yet: media".to_owned())
         );
     }
 
@@ -226,25 +188,17 @@ mod tests {
             outcome(&ended(Ended::Code(101), panic), None),
             Outcome::Crashed("thread 'main' panicked at src/main.rs:3:5:".to_owned())
         );
-        assert_eq!(
-            outcome(&ended(Ended::Signal(11), ""), None),
-            Outcome::Crashed("signal 11".to_owned())
-        );
+        assert_eq!(outcome(&ended(Ended::Signal(11), ""), None), Outcome::Crashed("signal 11".to_owned()));
         assert_eq!(
             outcome(&ended(Ended::Code(0), ""), None),
             Outcome::Crashed("success without a picture".to_owned())
         );
-        assert!(matches!(
-            outcome(&ended(Ended::Code(0), ""), Some(vec![1, 2])),
-            Outcome::Crashed(_)
-        ));
+        assert!(matches!(outcome(&ended(Ended::Code(0), ""), Some(vec![1, 2])), Outcome::Crashed(_)));
     }
 
     #[test]
     fn a_program_that_is_not_there_says_how_to_mend_it() {
-        let error = Program::at("/nonexistent/povray".into(), "install it")
-            .unwrap_err()
-            .to_string();
+        let error = Program::at("/nonexistent/povray".into(), "install it").unwrap_err().to_string();
         assert!(
             error.contains("cannot run `/nonexistent/povray`") && error.ends_with("install it"),
             "{error}"

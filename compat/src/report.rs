@@ -29,19 +29,13 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// How many cases have a verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
-        self.cases
-            .iter()
-            .filter(|case| case.verdict == verdict)
-            .count()
+        self.cases.iter().filter(|case| case.verdict == verdict).count()
     }
 
     /// Writes `report.json` and `report.html` into `folder`, made where it isn't.
     pub fn write(&self, folder: &Path, reason: impl Fn(&str) -> Option<String>) -> io::Result<()> {
         fs::create_dir_all(folder)?;
-        fs::write(
-            folder.join("report.json"),
-            serde_json::to_string_pretty(self)?,
-        )?;
+        fs::write(folder.join("report.json"), serde_json::to_string_pretty(self)?)?;
         fs::write(folder.join("report.html"), page(self, reason))
     }
 }

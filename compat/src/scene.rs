@@ -46,11 +46,7 @@ impl Scene {
 
     /// The scene's own file name.
     pub fn file_name(&self) -> String {
-        self.path
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned()
+        self.path.file_name().unwrap_or_default().to_string_lossy().into_owned()
     }
 }
 
@@ -68,10 +64,7 @@ impl Places {
     pub fn here() -> Self {
         let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let examples = std::env::var_os("POVISTA_EXAMPLES").unwrap_or(DEBIAN_EXAMPLES.into());
-        Places {
-            repository: repository.canonicalize().unwrap_or(repository),
-            examples: examples.into(),
-        }
+        Places { repository: repository.canonicalize().unwrap_or(repository), examples: examples.into() }
     }
 
     /// A file of the `compat` folder, such as `examples.txt`.
@@ -131,10 +124,7 @@ impl Places {
         let mut files = Vec::new();
         for entry in WalkDir::new(&path).sort_by_file_name() {
             let file = entry?.into_path();
-            if file
-                .extension()
-                .is_some_and(|e| e.eq_ignore_ascii_case("pov"))
-            {
+            if file.extension().is_some_and(|e| e.eq_ignore_ascii_case("pov")) {
                 files.push(file);
             }
         }
@@ -147,12 +137,9 @@ impl Places {
         let list = self.list("examples.txt");
         let mut examples = Vec::new();
         for line in lines(&fs::read_to_string(&list)?) {
-            let parsed = line
-                .rsplit_once(' ')
-                .and_then(|(name, s)| Some((name, s.parse().ok()?)));
-            let (name, seconds) = parsed.ok_or_else(|| {
-                invalid(format!("{}: want `PATH SECONDS`: {line}", list.display()))
-            })?;
+            let parsed = line.rsplit_once(' ').and_then(|(name, s)| Some((name, s.parse().ok()?)));
+            let (name, seconds) =
+                parsed.ok_or_else(|| invalid(format!("{}: want `PATH SECONDS`: {line}", list.display())))?;
             examples.push((name.to_owned(), seconds));
         }
         Ok(examples)
@@ -163,10 +150,7 @@ impl Places {
         if !path.is_file() {
             return Err(io::Error::new(
                 io::ErrorKind::NotFound,
-                format!(
-                    "{} is missing: install Debian's povray-examples",
-                    path.display()
-                ),
+                format!("{} is missing: install Debian's povray-examples", path.display()),
             ));
         }
         self.scene(&path, seconds)
@@ -176,26 +160,17 @@ impl Places {
         let name = if let Ok(below) = path.strip_prefix(&self.examples) {
             Path::new("examples").join(below)
         } else {
-            path.strip_prefix(&self.repository)
-                .unwrap_or(path)
-                .to_owned()
+            path.strip_prefix(&self.repository).unwrap_or(path).to_owned()
         };
         let mut switches: Vec<String> = SWITCHES.map(str::to_owned).to_vec();
         switches.extend(own_switches(&String::from_utf8_lossy(&fs::read(path)?)));
-        Ok(Scene {
-            name: name.to_string_lossy().into_owned(),
-            path: path.to_owned(),
-            switches,
-            seconds,
-        })
+        Ok(Scene { name: name.to_string_lossy().into_owned(), path: path.to_owned(), switches, seconds })
     }
 }
 
 /// The lines of a list file without comments (`#`) and blanks.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = &str> {
-    text.lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty() && !line.starts_with('#'))
+    text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'))
 }
 
 pub(crate) fn invalid(message: String) -> io::Error {
@@ -205,12 +180,7 @@ pub(crate) fn invalid(message: String) -> io::Error {
 /// The switches a scene asks for in its first line.
 fn own_switches(text: &str) -> Vec<String> {
     let first = text.lines().next().unwrap_or_default();
-    first
-        .strip_prefix(OWN_SWITCHES)
-        .unwrap_or_default()
-        .split_whitespace()
-        .map(str::to_owned)
-        .collect()
+    first.strip_prefix(OWN_SWITCHES).unwrap_or_default().split_whitespace().map(str::to_owned).collect()
 }
 
 #[cfg(test)]
@@ -222,10 +192,7 @@ mod tests {
         fs::create_dir_all(root.join("repo/compat")).unwrap();
         fs::create_dir_all(root.join("repo/scenes/csg")).unwrap();
         fs::write(root.join("repo/compat/examples.txt"), examples).unwrap();
-        Places {
-            repository: root.join("repo"),
-            examples: root.join("examples"),
-        }
+        Places { repository: root.join("repo"), examples: root.join("examples") }
     }
 
     fn names(scenes: &[Scene]) -> Vec<&str> {
@@ -234,39 +201,26 @@ mod tests {
 
     #[test]
     fn first_line_carries_switches() {
-        assert_eq!(
-            own_switches("// povista-compat: +W80 +UA\nsphere{0,1}"),
-            ["+W80", "+UA"]
-        );
+        assert_eq!(own_switches("// povista-compat: +W80 +UA\nsphere{0,1}"), ["+W80", "+UA"]);
         assert!(own_switches("// a scene\n// povista-compat: +W80").is_empty());
     }
 
     #[test]
     fn quick_takes_every_sixth_that_is_not_slow_and_the_regressed() {
         let folder = tempfile::tempdir().unwrap();
-        let list: String = (0..14)
-            .map(|i| format!("{i:02}.pov {}\n", if i == 6 { 99 } else { 1 }))
-            .collect();
+        let list: String = (0..14).map(|i| format!("{i:02}.pov {}\n", if i == 6 { 99 } else { 1 })).collect();
         let places = places(folder.path(), &format!("# made by hand\n{list}"));
         fs::create_dir_all(&places.examples).unwrap();
         for i in 0..14 {
             fs::write(places.examples.join(format!("{i:02}.pov")), "").unwrap();
         }
-        fs::write(
-            places.list("regressions.txt"),
-            "examples/03.pov # not a comment\nexamples/04.pov\n",
-        )
-        .unwrap();
+        fs::write(places.list("regressions.txt"), "examples/03.pov # not a comment\nexamples/04.pov\n")
+            .unwrap();
         fs::write(places.repository.join("scenes/csg/a.pov"), "").unwrap();
         fs::write(places.repository.join("scenes/csg/b.inc"), "").unwrap();
         assert_eq!(
             names(&places.quick().unwrap()),
-            [
-                "scenes/csg/a.pov",
-                "examples/00.pov",
-                "examples/04.pov",
-                "examples/12.pov"
-            ]
+            ["scenes/csg/a.pov", "examples/00.pov", "examples/04.pov", "examples/12.pov"]
         );
     }
 
@@ -275,19 +229,13 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let places = places(folder.path(), "gone.pov 1\n");
         let error = places.all().unwrap_err().to_string();
-        assert!(
-            error.contains("gone.pov is missing: install Debian's povray-examples"),
-            "{error}"
-        );
+        assert!(error.contains("gone.pov is missing: install Debian's povray-examples"), "{error}");
     }
 
     #[test]
     fn a_list_line_without_seconds_is_refused() {
         let folder = tempfile::tempdir().unwrap();
-        let error = places(folder.path(), "a.pov\n")
-            .all()
-            .unwrap_err()
-            .to_string();
+        let error = places(folder.path(), "a.pov\n").all().unwrap_err().to_string();
         assert!(error.contains("want `PATH SECONDS`: a.pov"), "{error}");
     }
 }

@@ -113,13 +113,7 @@ impl Suite {
 
     /// Fills in what follows from two pictures. POV-Ray is only asked how much its own picture
     /// varies where that decides.
-    fn judge(
-        &self,
-        scene: &Scene,
-        case: &mut Case,
-        theirs: &[u8],
-        ours: Vec<u8>,
-    ) -> io::Result<()> {
+    fn judge(&self, scene: &Scene, case: &mut Case, theirs: &[u8], ours: Vec<u8>) -> io::Result<()> {
         let reference = decode(theirs)?;
         let picture = decode(&ours)?;
         case.pictures[1] = Some(ours);
@@ -139,10 +133,7 @@ impl Suite {
         if let Outcome::Picture(png) = again.outcome {
             case.spread = reference.difference(&decode(&png)?);
         }
-        if case
-            .spread
-            .is_some_and(|spread| same_within_spread(difference, &spread))
-        {
+        if case.spread.is_some_and(|spread| same_within_spread(difference, &spread)) {
             case.verdict = Verdict::Match;
             case.message = "within POV-Ray's own spread".to_owned();
         }
@@ -179,12 +170,7 @@ pub(crate) mod tests {
         fs::write(path, script).unwrap();
         fs::set_permissions(path, fs::Permissions::from_mode(0o755)).unwrap();
         let scratch = tempfile::tempdir().unwrap();
-        let try_start = || {
-            std::process::Command::new(path)
-                .arg("--version")
-                .current_dir(&scratch)
-                .output()
-        };
+        let try_start = || std::process::Command::new(path).arg("--version").current_dir(&scratch).output();
         while try_start().is_err_and(|e| e.kind() == io::ErrorKind::ExecutableFileBusy) {}
     }
 
@@ -196,9 +182,7 @@ pub(crate) mod tests {
 
     impl Bench {
         fn new() -> Self {
-            let bench = Bench {
-                folder: tempfile::tempdir().unwrap(),
-            };
+            let bench = Bench { folder: tempfile::tempdir().unwrap() };
             fs::create_dir(bench.folder.path().join("scenes")).unwrap();
             bench
         }
@@ -227,12 +211,7 @@ pub(crate) mod tests {
                 let picture = png(8, 8, |x, _| [if noisy && x < 4 { 0 } else { *grey }; 3]);
                 fs::write(format!("{}.{suffix}", path.display()), picture).unwrap();
             }
-            Scene {
-                name: name.to_owned(),
-                path,
-                switches: Vec::new(),
-                seconds: 0,
-            }
+            Scene { name: name.to_owned(), path, switches: Vec::new(), seconds: 0 }
         }
 
         fn suite(&self) -> Suite {
@@ -259,39 +238,21 @@ pub(crate) mod tests {
                 &format!("{ours_only} echo 'error: not supported yet: media' >&2; exit 1;; esac"),
                 &both,
             ),
-            bench.scene(
-                "panic.pov",
-                &format!("{ours_only} kill -s ABRT $$;; esac"),
-                &both,
-            ),
-            bench.scene(
-                "endless.pov",
-                &format!("{ours_only} while :; do :; done;; esac"),
-                &both,
-            ),
+            bench.scene("panic.pov", &format!("{ours_only} kill -s ABRT $$;; esac"), &both),
+            bench.scene("endless.pov", &format!("{ours_only} while :; do :; done;; esac"), &both),
             bench.scene("broken.pov", "echo 'Parse Error: no' >&2; exit 1", &both),
         ];
         let cases = bench.suite().compare(&scenes, |_| ()).unwrap();
-        let verdicts: Vec<_> = cases
-            .iter()
-            .map(|c| (c.scene.as_str(), c.verdict, c.message.as_str()))
-            .collect();
+        let verdicts: Vec<_> =
+            cases.iter().map(|c| (c.scene.as_str(), c.verdict, c.message.as_str())).collect();
         assert_eq!(
             verdicts,
             [
                 ("same.pov", Verdict::Match, ""),
                 ("other.pov", Verdict::Differs, ""),
-                (
-                    "media.pov",
-                    Verdict::Refused,
-                    "error: not supported yet: media"
-                ),
+                ("media.pov", Verdict::Refused, "error: not supported yet: media"),
                 ("panic.pov", Verdict::Crashed, "signal 6"),
-                (
-                    "endless.pov",
-                    Verdict::Timeout,
-                    "no picture within the limit"
-                ),
+                ("endless.pov", Verdict::Timeout, "no picture within the limit"),
                 ("broken.pov", Verdict::Excluded, "povray: Parse Error: no"),
             ]
         );
@@ -304,11 +265,7 @@ pub(crate) mod tests {
     #[test]
     fn a_scene_that_varies_by_itself_matches_within_its_spread() {
         let bench = Bench::new();
-        let scene = bench.scene(
-            "noise.pov",
-            "",
-            &[("theirs", 100), ("theirs2", 100), ("ours", 120)],
-        );
+        let scene = bench.scene("noise.pov", "", &[("theirs", 100), ("theirs2", 100), ("ours", 120)]);
         let case = bench.suite().case(&scene).unwrap();
         assert_eq!(case.verdict, Verdict::Match);
         assert_eq!(case.message, "within POV-Ray's own spread");
@@ -319,11 +276,7 @@ pub(crate) mod tests {
     fn a_picture_of_another_size_differs() {
         let bench = Bench::new();
         let scene = bench.scene("size.pov", "", &[("theirs", 100)]);
-        fs::write(
-            format!("{}.ours", scene.path.display()),
-            png(8, 9, |_, _| [100; 3]),
-        )
-        .unwrap();
+        fs::write(format!("{}.ours", scene.path.display()), png(8, 9, |_, _| [100; 3])).unwrap();
         let case = bench.suite().case(&scene).unwrap();
         assert_eq!(case.verdict, Verdict::Differs);
         assert_eq!(case.message, "the picture is 8x9, POV-Ray's 8x8");

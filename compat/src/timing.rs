@@ -33,10 +33,7 @@ pub struct Timing {
 impl Timing {
     /// How many times faster povista is by the clock and in processor time.
     pub fn ratios(&self) -> Times {
-        Times {
-            wall: self.povray.wall / self.povista.wall,
-            cpu: self.povray.cpu / self.povista.cpu,
-        }
+        Times { wall: self.povray.wall / self.povista.wall, cpu: self.povray.cpu / self.povista.cpu }
     }
 }
 
@@ -49,15 +46,8 @@ pub fn time(
     rounds: usize,
     limit: Duration,
 ) -> io::Result<Option<Timing>> {
-    let unknown = Times {
-        wall: f64::INFINITY,
-        cpu: f64::INFINITY,
-    };
-    let mut timing = Timing {
-        scene: scene.name.clone(),
-        povray: unknown,
-        povista: unknown,
-    };
+    let unknown = Times { wall: f64::INFINITY, cpu: f64::INFINITY };
+    let mut timing = Timing { scene: scene.name.clone(), povray: unknown, povista: unknown };
     for _ in 0..rounds.max(1) {
         for (program, least) in [(povray, &mut timing.povray), (povista, &mut timing.povista)] {
             let Some(times) = once(program, scene, threads, limit)? else {
@@ -73,34 +63,18 @@ pub fn time(
 /// The geometric mean of the timings' ratios; nothing of none.
 pub fn mean_ratios(timings: &[Timing]) -> Option<Times> {
     let mean = |ratio: fn(Times) -> f64| {
-        let logs: f64 = timings
-            .iter()
-            .map(|timing| ratio(timing.ratios()).ln())
-            .sum();
+        let logs: f64 = timings.iter().map(|timing| ratio(timing.ratios()).ln()).sum();
         (logs / timings.len() as f64).exp()
     };
-    (!timings.is_empty()).then(|| Times {
-        wall: mean(|r| r.wall),
-        cpu: mean(|r| r.cpu),
-    })
+    (!timings.is_empty()).then(|| Times { wall: mean(|r| r.wall), cpu: mean(|r| r.cpu) })
 }
 
 /// One run. Processor time is that of all children that ended meanwhile, of which there is one.
-fn once(
-    program: &Program,
-    scene: &Scene,
-    threads: u32,
-    limit: Duration,
-) -> io::Result<Option<Times>> {
+fn once(program: &Program, scene: &Scene, threads: u32, limit: Duration) -> io::Result<Option<Times>> {
     let before = children()?;
     let rendering = program.render(scene, threads, limit)?;
     let cpu = (children()? - before).max(f64::EPSILON);
-    Ok(
-        matches!(rendering.outcome, Outcome::Picture(_)).then_some(Times {
-            wall: rendering.wall,
-            cpu,
-        }),
-    )
+    Ok(matches!(rendering.outcome, Outcome::Picture(_)).then_some(Times { wall: rendering.wall, cpu }))
 }
 
 /// Processor seconds of all children that have ended.
@@ -118,20 +92,11 @@ mod tests {
     fn ratios_are_averaged_geometrically() {
         let timing = |povray, povista| Timing {
             scene: String::new(),
-            povray: Times {
-                wall: povray,
-                cpu: 8.0,
-            },
-            povista: Times {
-                wall: povista,
-                cpu: 2.0,
-            },
+            povray: Times { wall: povray, cpu: 8.0 },
+            povista: Times { wall: povista, cpu: 2.0 },
         };
         let mean = mean_ratios(&[timing(1.0, 1.0), timing(9.0, 1.0)]).unwrap();
-        assert!(
-            (mean.wall - 3.0).abs() < 1e-12 && (mean.cpu - 4.0).abs() < 1e-12,
-            "{mean:?}"
-        );
+        assert!((mean.wall - 3.0).abs() < 1e-12 && (mean.cpu - 4.0).abs() < 1e-12, "{mean:?}");
         assert_eq!(mean_ratios(&[]), None);
     }
 
@@ -139,13 +104,7 @@ mod tests {
     fn processor_time_is_the_childs() {
         let before = children().unwrap();
         let script = "i=0; while [ $i -lt 200000 ]; do i=$((i+1)); done";
-        assert!(
-            std::process::Command::new("sh")
-                .args(["-c", script])
-                .status()
-                .unwrap()
-                .success()
-        );
+        assert!(std::process::Command::new("sh").args(["-c", script]).status().unwrap().success());
         assert!(children().unwrap() - before > 0.02);
     }
 }

@@ -77,12 +77,7 @@ mod tests {
     use super::*;
 
     fn difference(near: f64, mean: f64, rmse: f64) -> Difference {
-        Difference {
-            worst: 255,
-            near,
-            mean,
-            rmse,
-        }
+        Difference { worst: 255, near, mean, rmse }
     }
 
     #[test]
@@ -108,12 +103,7 @@ mod tests {
 
     #[test]
     fn a_scene_that_never_varies_gets_no_leave() {
-        let still = Difference {
-            worst: 0,
-            near: 1.0,
-            mean: 0.0,
-            rmse: 0.0,
-        };
+        let still = Difference { worst: 0, near: 1.0, mean: 0.0, rmse: 0.0 };
         assert!(!same_within_spread(&difference(0.99, 0.4, 1.0), &still));
     }
 }

@@ -15,11 +15,7 @@ const PAGE: &str = include_str!("page.html");
 
 /// The whole page; `reason` tells why a scene is known not to match.
 pub fn page(report: &Report, reason: impl Fn(&str) -> Option<String>) -> String {
-    let cards: String = report
-        .cases
-        .iter()
-        .map(|case| card(case, reason(&case.scene)))
-        .collect();
+    let cards: String = report.cases.iter().map(|case| card(case, reason(&case.scene))).collect();
     let chips: String = Verdict::ALL
         .into_iter()
         .filter(|&verdict| report.count(verdict) > 0)
@@ -33,10 +29,7 @@ pub fn page(report: &Report, reason: impl Fn(&str) -> Option<String>) -> String 
     // The cards come last, so that nothing in a message is taken for one of these places.
     PAGE.replace("{{povray}}", &escape(report.povray))
         .replace("{{povista}}", &escape(report.povista))
-        .replace(
-            "{{matching}}",
-            &format!("{} of {compared}", report.count(Verdict::Match)),
-        )
+        .replace("{{matching}}", &format!("{} of {compared}", report.count(Verdict::Match)))
         .replace("{{share}}", &format!("{share:.1}"))
         .replace("{{chips}}", &chips)
         .replace("{{cards}}", &cards)
@@ -44,17 +37,10 @@ pub fn page(report: &Report, reason: impl Fn(&str) -> Option<String>) -> String 
 
 fn card(case: &Case, reason: Option<String>) -> String {
     let scene = escape(&case.scene);
-    let rank = Verdict::ALL
-        .iter()
-        .position(|&v| v == case.verdict)
-        .unwrap_or(0);
+    let rank = Verdict::ALL.iter().position(|&v| v == case.verdict).unwrap_or(0);
     let rmse = case.difference.map_or(-1.0, |d| d.rmse);
     let near = case.difference.map_or(-1.0, |d| d.near);
-    let ratio = if case.povista_seconds > 0.0 {
-        case.povray_seconds / case.povista_seconds
-    } else {
-        0.0
-    };
+    let ratio = if case.povista_seconds > 0.0 { case.povray_seconds / case.povista_seconds } else { 0.0 };
     let mut card = format!(
         "<article class=\"{verdict}\" data-scene=\"{scene}\" data-verdict=\"{verdict}\" data-rank=\"{rank}\" \
          data-rmse=\"{rmse}\" data-near=\"{near}\" data-ratio=\"{ratio}\">\n\
@@ -62,11 +48,7 @@ fn card(case: &Case, reason: Option<String>) -> String {
         verdict = case.verdict
     );
     card.push_str("<div class=\"pictures\">\n");
-    for (picture, title) in case
-        .pictures
-        .iter()
-        .zip(["POV-Ray", "povista", "difference"])
-    {
+    for (picture, title) in case.pictures.iter().zip(["POV-Ray", "povista", "difference"]) {
         // Writing to a string cannot fail, here and below.
         let _ = match picture {
             Some(png) => writeln!(
@@ -74,10 +56,9 @@ fn card(case: &Case, reason: Option<String>) -> String {
                 "<figure><img alt=\"{title}\" src=\"data:image/png;base64,{}\"><figcaption>{title}</figcaption></figure>",
                 STANDARD.encode(png)
             ),
-            None => writeln!(
-                card,
-                "<figure class=\"none\"><div></div><figcaption>{title}</figcaption></figure>"
-            ),
+            None => {
+                writeln!(card, "<figure class=\"none\"><div></div><figcaption>{title}</figcaption></figure>")
+            }
         };
     }
     card.push_str("</div>\n<p class=\"figures\">");
@@ -94,11 +75,7 @@ fn card(case: &Case, reason: Option<String>) -> String {
     if let Some(spread) = &case.spread {
         let _ = write!(card, " · POV-Ray's own spread <b>{:.2}</b>", spread.rmse);
     }
-    let _ = write!(
-        card,
-        "<br>{:.2} s · {:.2} s",
-        case.povray_seconds, case.povista_seconds
-    );
+    let _ = write!(card, "<br>{:.2} s · {:.2} s", case.povray_seconds, case.povista_seconds);
     card.push_str("</p>\n");
     if case.verdict != Verdict::Match || !case.message.is_empty() {
         let _ = writeln!(card, "<p class=\"message\">{}</p>", escape(&finding(case)));
@@ -111,10 +88,7 @@ fn card(case: &Case, reason: Option<String>) -> String {
 }
 
 fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
@@ -125,20 +99,10 @@ mod tests {
     #[test]
     fn the_page_holds_everything_and_fetches_nothing() {
         let mut good = case("good.pov", Verdict::Match, "");
-        good.pictures = [
-            Some(b"theirs".to_vec()),
-            Some(b"ours".to_vec()),
-            Some(b"heat".to_vec()),
-        ];
+        good.pictures = [Some(b"theirs".to_vec()), Some(b"ours".to_vec()), Some(b"heat".to_vec())];
         let bad = case("bad.pov", Verdict::Refused, "error: `<1,2` & \"{{chips}}\"");
-        let report = Report {
-            povray: "POV-Ray 3.7",
-            povista: "povista 0",
-            cases: &[good, bad],
-        };
-        let page = page(&report, |scene| {
-            (scene == "bad.pov").then(|| "vectors > 3".to_owned())
-        });
+        let report = Report { povray: "POV-Ray 3.7", povista: "povista 0", cases: &[good, bad] };
+        let page = page(&report, |scene| (scene == "bad.pov").then(|| "vectors > 3".to_owned()));
         for part in [
             "1 of 2",
             "data:image/png;base64,dGhlaXJz",

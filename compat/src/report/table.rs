@@ -35,10 +35,7 @@ fn row(case: &Case, width: usize) -> String {
         Some(d) => {
             // Rounded down, so that 100 is all of them.
             let near = (d.near * 10_000.0).floor() / 100.0;
-            format!(
-                "{:>5}  {near:>6.2}  {:>6.2}  {:>6.2}",
-                d.worst, d.mean, d.rmse
-            )
+            format!("{:>5}  {near:>6.2}  {:>6.2}  {:>6.2}", d.worst, d.mean, d.rmse)
         }
         None => format!("{:29}", ""),
     };
@@ -64,12 +61,7 @@ pub fn features(report: &Report) -> String {
     counts.sort_by_key(|(_, scenes)| std::cmp::Reverse(scenes.len()));
     let mut table = String::new();
     for (what, scenes) in counts {
-        let _ = writeln!(
-            table,
-            "{:>4}  {what}  (such as {})",
-            scenes.len(),
-            scenes[0]
-        );
+        let _ = writeln!(table, "{:>4}  {what}  (such as {})", scenes.len(), scenes[0]);
     }
     table
 }
@@ -79,9 +71,7 @@ fn feature(message: &str) -> String {
     if let Some((_, feature)) = message.split_once(UNSUPPORTED) {
         return format!("{UNSUPPORTED} {}", feature.trim());
     }
-    let message = message
-        .split_once("Error: ")
-        .map_or(message, |(_, what)| what);
+    let message = message.split_once("Error: ").map_or(message, |(_, what)| what);
     message.trim().to_owned()
 }
 
@@ -113,11 +103,7 @@ pub fn timings(timings: &[Timing]) -> String {
 }
 
 fn width<'a>(names: impl Iterator<Item = &'a str>) -> usize {
-    names
-        .map(|name| name.chars().count())
-        .max()
-        .unwrap_or(0)
-        .max("scene".len())
+    names.map(|name| name.chars().count()).max().unwrap_or(0).max("scene".len())
 }
 
 #[cfg(test)]
@@ -129,22 +115,9 @@ mod tests {
     #[test]
     fn a_row_for_each_case_and_the_sums() {
         let mut good = case("a.pov", Verdict::Match, "");
-        good.difference = Some(Difference {
-            worst: 3,
-            near: 0.99999,
-            mean: 0.125,
-            rmse: 0.5,
-        });
-        let refused = case(
-            "long/name.pov",
-            Verdict::Refused,
-            "error: not supported yet: media",
-        );
-        let report = Report {
-            povray: "",
-            povista: "",
-            cases: &[good, refused],
-        };
+        good.difference = Some(Difference { worst: 3, near: 0.99999, mean: 0.125, rmse: 0.5 });
+        let refused = case("long/name.pov", Verdict::Refused, "error: not supported yet: media");
+        let report = Report { povray: "", povista: "", cases: &[good, refused] };
         assert_eq!(
             cases(&report),
             "scene          verdict   worst  near %    mean    RMSE  povray s  povista s\n\
@@ -157,24 +130,12 @@ mod tests {
     #[test]
     fn features_are_counted_wherever_they_stand() {
         let cases = [
-            case(
-                "a.pov",
-                Verdict::Refused,
-                "File 'a.pov' line 3: Parse Error: not supported yet: media",
-            ),
+            case("a.pov", Verdict::Refused, "File 'a.pov' line 3: Parse Error: not supported yet: media"),
             case("b.pov", Verdict::Refused, "error: bad number"),
-            case(
-                "c.pov",
-                Verdict::Refused,
-                "File 'c.pov' line 9: Parse Error: not supported yet: media",
-            ),
+            case("c.pov", Verdict::Refused, "File 'c.pov' line 9: Parse Error: not supported yet: media"),
             case("d.pov", Verdict::Match, ""),
         ];
-        let report = Report {
-            povray: "",
-            povista: "",
-            cases: &cases,
-        };
+        let report = Report { povray: "", povista: "", cases: &cases };
         assert_eq!(
             features(&report),
             "   2  not supported yet: media  (such as a.pov)\n   1  error: bad number  (such as b.pov)\n"
