@@ -129,8 +129,8 @@ pub(crate) mod tests {
             message: message.to_owned(),
             difference: None,
             spread: None,
-            povray_seconds: 1.0,
-            povista_seconds: 0.5,
+            times: None,
+            reference_seconds: 0.0,
             pictures: [None, None, None],
         }
     }

@@ -7,8 +7,8 @@
 //! - [`cache`]: POV-Ray's pictures, kept by the content they depend on
 //! - [`picture`]: 8-bit pixels, the figures of a comparison, the heat map
 //! - [`verdict`]: the rule that turns the figures into a verdict
-//! - [`suite`]: many scenes side by side
 //! - [`timing`]: the two programs timed in turn, with nothing beside
+//! - [`suite`]: many scenes side by side
 //! - [`expectations`]: which scenes are known not to match, and why
 //! - [`report`]: the table, the JSON and the HTML page
 //!

@@ -14,9 +14,8 @@ use povista_compat::expectations::Expectations;
 use povista_compat::program::Program;
 use povista_compat::report::{self, Report};
 use povista_compat::scene::{Places, Scene};
-use povista_compat::suite::Suite;
+use povista_compat::suite::{Case, Suite};
 use povista_compat::timing;
-use povista_compat::verdict::Verdict;
 
 /// Renders scenes with Debian's povray and with povista and reports how far the pictures agree.
 #[derive(Parser)]
@@ -76,11 +75,11 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
         return list_examples(&places, arguments, limit);
     }
     let scenes = scenes(&places, arguments)?;
-    if arguments.time {
-        return time(&scenes, arguments, limit);
-    }
     let suite = Suite { povista: povista(arguments)?, ..suite(&places, arguments, limit)? };
-    let cases = compare(&suite, &scenes)?;
+    let mut cases = compare(&suite, &scenes)?;
+    if let Some(povista) = suite.povista.as_ref().filter(|_| arguments.time) {
+        time(&suite.povray, povista, &scenes, &mut cases, arguments)?;
+    }
     let report = Report {
         povray: &suite.povray.version,
         povista: suite.povista.as_ref().map_or("", |povista| &povista.version),
@@ -145,7 +144,7 @@ fn suite(places: &Places, arguments: &Arguments, limit: Duration) -> io::Result<
 }
 
 /// Compares the scenes, telling each on standard error as it is done.
-fn compare(suite: &Suite, scenes: &[Scene]) -> io::Result<Vec<povista_compat::suite::Case>> {
+fn compare(suite: &Suite, scenes: &[Scene]) -> io::Result<Vec<Case>> {
     let done = AtomicUsize::new(0);
     suite.compare(scenes, |case| {
         let count = done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -153,18 +152,21 @@ fn compare(suite: &Suite, scenes: &[Scene]) -> io::Result<Vec<povista_compat::su
     })
 }
 
-fn time(scenes: &[Scene], arguments: &Arguments, limit: Duration) -> io::Result<bool> {
-    let (povray, povista) = (Program::povray()?, Program::povista()?);
-    let mut timings = Vec::new();
-    for scene in scenes {
+/// Times the scenes both programs render.
+fn time(
+    povray: &Program,
+    povista: &Program,
+    scenes: &[Scene],
+    cases: &mut [Case],
+    arguments: &Arguments,
+) -> io::Result<()> {
+    let limit = Duration::from_secs(arguments.limit);
+    let rendered = scenes.iter().zip(cases).filter(|(_, case)| case.difference.is_some());
+    for (scene, case) in rendered {
         eprintln!("timing {}", scene.name);
-        match timing::time(&povray, &povista, scene, arguments.threads, arguments.rounds, limit)? {
-            Some(timing) => timings.push(timing),
-            None => eprintln!("{} has no two pictures", scene.name),
-        }
+        case.times = timing::time(povray, povista, scene, arguments.threads, arguments.rounds, limit)?;
     }
-    print!("{}", report::timings(&timings));
-    Ok(true)
+    Ok(())
 }
 
 /// Renders every installed example with POV-Ray and lists those it renders, with their seconds.
@@ -180,13 +182,12 @@ fn list_examples(places: &Places, arguments: &Arguments, limit: Duration) -> io:
     let rendered = cases.iter().filter(|case| case.pictures[0].is_some());
     for case in rendered.clone() {
         let name = case.scene.trim_start_matches("examples/");
-        list.push_str(&format!("{name} {:.0}\n", case.povray_seconds));
+        list.push_str(&format!("{name} {:.0}\n", case.reference_seconds));
     }
     std::fs::write(places.list("examples.txt"), list)?;
     println!("{} of {} examples are rendered by {}", rendered.count(), cases.len(), suite.povray.version);
     for case in cases.iter().filter(|case| case.pictures[0].is_none()) {
         println!("{}: {}", case.scene, case.message);
     }
-    debug_assert!(cases.iter().all(|case| case.verdict == Verdict::Excluded));
     Ok(true)
 }

@@ -10,8 +10,9 @@ use serde::Serialize;
 
 use crate::cache::Cache;
 use crate::picture::{Difference, Picture};
-use crate::program::{Outcome, Program, Rendering};
+use crate::program::{Outcome, Program};
 use crate::scene::{Scene, invalid};
+use crate::timing::Timing;
 use crate::verdict::{Verdict, same, same_within_spread};
 
 /// The two programs and how they are run.
@@ -42,10 +43,11 @@ pub struct Case {
     pub difference: Option<Difference>,
     /// POV-Ray's own difference between one thread and two, where that was asked.
     pub spread: Option<Difference>,
-    /// Seconds by the clock, measured beside other runs: for orientation, never a claim.
-    pub povray_seconds: f64,
-    /// The same of povista.
-    pub povista_seconds: f64,
+    /// Times of both, where they were taken for their own sake.
+    pub times: Option<Timing>,
+    /// About how many seconds POV-Ray took, beside other runs: to start slow scenes first, never a claim.
+    #[serde(skip)]
+    pub reference_seconds: f64,
     /// PNG files of POV-Ray, povista and the heat map, as far as they exist.
     #[serde(skip)]
     pub pictures: [Option<Vec<u8>>; 3],
@@ -86,8 +88,8 @@ impl Suite {
             message: String::new(),
             difference: None,
             spread: None,
-            povray_seconds: reference.wall,
-            povista_seconds: 0.0,
+            times: None,
+            reference_seconds: reference.wall,
             pictures: [None, None, None],
         };
         let theirs = match reference.outcome {
@@ -102,9 +104,7 @@ impl Suite {
             case.message = "reference only".to_owned();
             return Ok(case);
         };
-        let Rendering { outcome, wall } = povista.render(scene, 1, self.limit)?;
-        case.povista_seconds = wall;
-        match outcome {
+        match povista.render(scene, 1, self.limit)?.outcome {
             Outcome::Picture(ours) => self.judge(scene, &mut case, &theirs, ours)?,
             outcome => (case.verdict, case.message) = no_picture(outcome),
         }

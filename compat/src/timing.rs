@@ -20,10 +20,8 @@ pub struct Times {
 }
 
 /// Both programs on one scene.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Timing {
-    /// The scene's name.
-    pub scene: String,
     /// POV-Ray's least times.
     pub povray: Times,
     /// povista's least times.
@@ -47,7 +45,7 @@ pub fn time(
     limit: Duration,
 ) -> io::Result<Option<Timing>> {
     let unknown = Times { wall: f64::INFINITY, cpu: f64::INFINITY };
-    let mut timing = Timing { scene: scene.name.clone(), povray: unknown, povista: unknown };
+    let mut timing = Timing { povray: unknown, povista: unknown };
     for _ in 0..rounds.max(1) {
         for (program, least) in [(povray, &mut timing.povray), (povista, &mut timing.povista)] {
             let Some(times) = once(program, scene, threads, limit)? else {
@@ -91,7 +89,6 @@ mod tests {
     #[test]
     fn ratios_are_averaged_geometrically() {
         let timing = |povray, povista| Timing {
-            scene: String::new(),
             povray: Times { wall: povray, cpu: 8.0 },
             povista: Times { wall: povista, cpu: 2.0 },
         };

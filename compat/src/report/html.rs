@@ -40,7 +40,7 @@ fn card(case: &Case, reason: Option<String>) -> String {
     let rank = Verdict::ALL.iter().position(|&v| v == case.verdict).unwrap_or(0);
     let rmse = case.difference.map_or(-1.0, |d| d.rmse);
     let near = case.difference.map_or(-1.0, |d| d.near);
-    let ratio = if case.povista_seconds > 0.0 { case.povray_seconds / case.povista_seconds } else { 0.0 };
+    let ratio = case.times.map_or(0.0, |times| times.ratios().wall);
     let mut card = format!(
         "<article class=\"{verdict}\" data-scene=\"{scene}\" data-verdict=\"{verdict}\" data-rank=\"{rank}\" \
          data-rmse=\"{rmse}\" data-near=\"{near}\" data-ratio=\"{ratio}\">\n\
@@ -75,7 +75,15 @@ fn card(case: &Case, reason: Option<String>) -> String {
     if let Some(spread) = &case.spread {
         let _ = write!(card, " · POV-Ray's own spread <b>{:.2}</b>", spread.rmse);
     }
-    let _ = write!(card, "<br>{:.2} s · {:.2} s", case.povray_seconds, case.povista_seconds);
+    if let Some(times) = &case.times {
+        let _ = write!(
+            card,
+            "<br>POV-Ray <b>{:.3} s</b> · povista <b>{:.3} s</b> · <b>{:.1}</b> times as fast",
+            times.povray.wall,
+            times.povista.wall,
+            times.ratios().wall
+        );
+    }
     card.push_str("</p>\n");
     if case.verdict != Verdict::Match || !case.message.is_empty() {
         let _ = writeln!(card, "<p class=\"message\">{}</p>", escape(&finding(case)));

@@ -5,21 +5,32 @@ use std::fmt::Write;
 
 use crate::report::Report;
 use crate::suite::Case;
-use crate::timing::{Timing, mean_ratios};
+use crate::timing::{Times, Timing, mean_ratios};
 use crate::verdict::Verdict;
 
 /// What povista says before the name of a feature it can't render.
 const UNSUPPORTED: &str = "not supported yet:";
 
-/// One line per case and a line of sums.
+/// One line per case and a line of sums; times and their ratio where they were taken.
 pub fn cases(report: &Report) -> String {
-    let width = width(report.cases.iter().map(|case| case.scene.as_str()));
-    let mut table = format!(
-        "{:width$}  {:8}  {:>5}  {:>6}  {:>6}  {:>6}  {:>8}  {:>8}\n",
-        "scene", "verdict", "worst", "near %", "mean", "RMSE", "povray s", "povista s",
+    let timings: Vec<Timing> = report.cases.iter().filter_map(|case| case.times).collect();
+    let timed = !timings.is_empty();
+    let name = |case: &Case| case.scene.chars().count();
+    let width = report.cases.iter().map(name).max().unwrap_or(0).max("scene".len());
+    let head = format!(
+        "{:width$}  {:8}  {:>5}  {:>6}  {:>6}  {:>6}  {}",
+        "scene",
+        "verdict",
+        "worst",
+        "near %",
+        "mean",
+        "RMSE",
+        if timed { "povray s povista s  ratio  povray CPU povista CPU  ratio" } else { "" }
     );
+    let mut table = format!("{}\n", head.trim_end());
     for case in report.cases {
-        let _ = writeln!(table, "{}", row(case, width).trim_end());
+        let row = format!("{:width$}  {:8}  {}  ", case.scene, case.verdict, figures(case));
+        let _ = writeln!(table, "{}", (row + &times(case, timed) + &case.message).trim_end());
     }
     let sums: Vec<String> = Verdict::ALL
         .into_iter()
@@ -27,22 +38,38 @@ pub fn cases(report: &Report) -> String {
         .map(|verdict| format!("{} {verdict}", report.count(verdict)))
         .collect();
     let _ = writeln!(table, "{} scenes: {}", report.cases.len(), sums.join(", "));
+    if let Some(mean) = mean_ratios(&timings) {
+        let (count, Times { wall, cpu }) = (timings.len(), mean);
+        let _ = writeln!(
+            table,
+            "geometric mean of {count} ratios: {wall:.1}x by the clock, {cpu:.1}x in CPU time"
+        );
+    }
     table
 }
 
-fn row(case: &Case, width: usize) -> String {
-    let figures = match &case.difference {
+fn figures(case: &Case) -> String {
+    match &case.difference {
+        // The share is rounded down, so that 100 is all of them.
         Some(d) => {
-            // Rounded down, so that 100 is all of them.
-            let near = (d.near * 10_000.0).floor() / 100.0;
-            format!("{:>5}  {near:>6.2}  {:>6.2}  {:>6.2}", d.worst, d.mean, d.rmse)
+            format!("{:>5}  {:>6.2}  {:>6.2}  {:>6.2}", d.worst, (d.near * 1e4).floor() / 1e2, d.mean, d.rmse)
         }
         None => format!("{:29}", ""),
-    };
-    format!(
-        "{:width$}  {:8}  {figures}  {:>8.2}  {:>9.2}  {}",
-        case.scene, case.verdict, case.povray_seconds, case.povista_seconds, case.message
-    )
+    }
+}
+
+fn times(case: &Case, timed: bool) -> String {
+    match &case.times {
+        Some(timing) => {
+            let (a, b, ratio) = (timing.povray, timing.povista, timing.ratios());
+            format!(
+                "{:>8.3} {:>9.3} {:>5.1}x  {:>10.3} {:>11.3} {:>5.1}x  ",
+                a.wall, b.wall, ratio.wall, a.cpu, b.cpu, ratio.cpu
+            )
+        }
+        None if timed => format!("{:57}", ""),
+        None => String::new(),
+    }
 }
 
 /// What keeps scenes from matching, the commonest first: features povista refuses, then other
@@ -75,37 +102,6 @@ fn feature(message: &str) -> String {
     message.trim().to_owned()
 }
 
-/// One line per scene with least times and ratios, and their geometric mean.
-pub fn timings(timings: &[Timing]) -> String {
-    let width = width(timings.iter().map(|timing| timing.scene.as_str()));
-    let mut table = format!(
-        "{:width$}  {:>10}  {:>10}  {:>7}  {:>10}  {:>10}  {:>7}\n",
-        "scene", "povray s", "povista s", "ratio", "povray CPU", "povista CPU", "ratio"
-    );
-    for timing in timings {
-        let (a, b, ratio) = (timing.povray, timing.povista, timing.ratios());
-        let _ = writeln!(
-            table,
-            "{:width$}  {:>10.3}  {:>10.3}  {:>6.1}x  {:>10.3}  {:>11.3}  {:>6.1}x",
-            timing.scene, a.wall, b.wall, ratio.wall, a.cpu, b.cpu, ratio.cpu
-        );
-    }
-    if let Some(mean) = mean_ratios(timings) {
-        let _ = writeln!(
-            table,
-            "geometric mean of {} ratios: {:.1}x by the clock, {:.1}x in processor time",
-            timings.len(),
-            mean.wall,
-            mean.cpu
-        );
-    }
-    table
-}
-
-fn width<'a>(names: impl Iterator<Item = &'a str>) -> usize {
-    names.map(|name| name.chars().count()).max().unwrap_or(0).max("scene".len())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -120,10 +116,27 @@ mod tests {
         let report = Report { povray: "", povista: "", cases: &[good, refused] };
         assert_eq!(
             cases(&report),
-            "scene          verdict   worst  near %    mean    RMSE  povray s  povista s\n\
-             a.pov          match         3   99.99    0.12    0.50      1.00       0.50\n\
-             long/name.pov  refused                                      1.00       0.50  error: not supported yet: media\n\
+            "scene          verdict   worst  near %    mean    RMSE\n\
+             a.pov          match         3   99.99    0.12    0.50\n\
+             long/name.pov  refused                                  error: not supported yet: media\n\
              2 scenes: 1 match, 1 refused\n"
+        );
+    }
+
+    #[test]
+    fn times_stand_under_their_heads() {
+        let mut good = case("a.pov", Verdict::Match, "");
+        let times = |seconds| Times { wall: seconds, cpu: seconds / 2.0 };
+        good.times = Some(Timing { povray: times(3.0), povista: times(0.5) });
+        let report =
+            Report { povray: "", povista: "", cases: &[good, case("b.pov", Verdict::Refused, "no")] };
+        assert_eq!(
+            cases(&report),
+            "scene  verdict   worst  near %    mean    RMSE  povray s povista s  ratio  povray CPU povista CPU  ratio\n\
+             a.pov  match                                       3.000     0.500   6.0x       1.500       0.250   6.0x\n\
+             b.pov  refused                                                                                           no\n\
+             2 scenes: 1 match, 1 refused\n\
+             geometric mean of 1 ratios: 6.0x by the clock, 6.0x in CPU time\n"
         );
     }
 
