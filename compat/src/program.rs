@@ -137,11 +137,14 @@ fn outcome(finished: &Finished, picture: Option<Vec<u8>>) -> Outcome {
 fn error_line(stderr: &str) -> String {
     let plain = without_escapes(stderr);
     let lines: Vec<&str> = plain.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
-    let says = |what: &str| lines.iter().position(|line| line.to_ascii_lowercase().contains(what));
-    let Some(first) = says("not supported yet").or_else(|| says("error:")).or_else(|| says("error")) else {
-        return lines.last().map_or("no message", |line| line).to_owned();
+    // povray calls some of its warnings possible errors.
+    let says = |what: &str| {
+        let says =
+            |line: &&&str| line.to_lowercase().contains(what) && !line.contains("Possible Parse Error");
+        lines.iter().find(says)
     };
-    lines[first].to_owned()
+    let line = says("not supported yet").or_else(|| says("error:")).or_else(|| says("error"));
+    line.or(lines.last()).map_or("no message", |line| line).to_owned()
 }
 
 /// `text` without terminal colours.
@@ -179,6 +182,9 @@ mod tests {
     fn an_error_without_the_word_is_its_last_line() {
         assert_eq!(error_line("reading\ncannot open it\n\n"), "cannot open it");
         assert_eq!(error_line(""), "no message");
+        let warned =
+            "File 'a.pov' line 1: Possible Parse Error: odd\nFile 'a.pov' line 2: Parse Error: wrong\n";
+        assert_eq!(error_line(warned), "File 'a.pov' line 2: Parse Error: wrong");
     }
 
     #[test]
