@@ -1,0 +1,150 @@
+//! Cameras: one projection a file, all turning a place on the film into a ray
+//! (docs/spec/camera-image.md 2 and 4).
+
+pub mod cylinder;
+pub mod fisheye;
+pub mod focal_blur;
+pub mod omnimax;
+pub mod orthographic;
+pub mod panoramic;
+pub mod perspective;
+pub mod spherical;
+pub mod ultra_wide_angle;
+
+pub use cylinder::Cylinder;
+pub use fisheye::Fisheye;
+pub use focal_blur::FocalBlur;
+pub use omnimax::Omnimax;
+pub use orthographic::Orthographic;
+pub use panoramic::Panoramic;
+pub use perspective::Perspective;
+pub use spherical::Spherical;
+pub use ultra_wide_angle::UltraWideAngle;
+
+use super::Ray;
+use super::texture::{Normal, Sample};
+use crate::math::{DVec2, DVec3};
+
+/// A place on the film: `x` from -½ (left) to ½ (right), `y` from -½ (bottom) to ½ (top).
+/// Samples of antialiasing may lie a little outside.
+pub type Film = DVec2;
+
+/// The eye.
+#[derive(Debug)]
+pub struct Camera {
+    /// How the film becomes rays.
+    pub projection: Projection,
+    /// The lens, where pictures are blurred out of focus.
+    pub blur: Option<FocalBlur>,
+    /// Bends the rays.
+    pub normal: Option<Normal>,
+}
+
+/// How the film becomes rays.
+#[derive(Clone, Debug)]
+#[expect(missing_docs, reason = "named and described by the files")]
+pub enum Projection {
+    Perspective(Perspective),
+    Orthographic(Orthographic),
+    Fisheye(Fisheye),
+    UltraWideAngle(UltraWideAngle),
+    Omnimax(Omnimax),
+    Panoramic(Panoramic),
+    Spherical(Spherical),
+    Cylinder(Cylinder),
+}
+
+/// The camera's vectors as the scene has them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame {
+    /// The eye.
+    pub location: DVec3,
+    /// Along the picture's width.
+    pub right: DVec3,
+    /// Along the picture's height.
+    pub up: DVec3,
+    /// Towards the middle of the picture.
+    pub direction: DVec3,
+}
+
+/// A ray of a projection before it is normalised, and the two parameters it came from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projected {
+    /// The ray, its direction of any length.
+    pub ray: Ray,
+    /// The projection's two parameters, where a camera `normal` is evaluated
+    /// (docs/spec/camera-image.md 6).
+    pub parameters: DVec2,
+}
+
+impl Frame {
+    /// The same with unit right, up and direction, as the wide-angle projections want them.
+    pub fn unit(&self) -> Self {
+        Self {
+            right: self.right.normalize_or_zero(),
+            up: self.up.normalize_or_zero(),
+            direction: self.direction.normalize_or_zero(),
+            ..*self
+        }
+    }
+
+    /// A ray from the eye in the direction `x right + y up + z direction`.
+    fn ray(&self, x: f64, y: f64, z: f64) -> Ray {
+        Ray::new(self.location, x * self.right + y * self.up + z * self.direction)
+    }
+}
+
+impl Projection {
+    /// The ray through a place on the film; `None` where the picture has none, as outside the
+    /// fisheye's circle.
+    pub fn project(&self, film: Film) -> Option<Projected> {
+        match self {
+            Self::Perspective(p) => Some(p.project(film)),
+            Self::Orthographic(p) => Some(p.project(film)),
+            Self::Fisheye(p) => p.project(film),
+            Self::UltraWideAngle(p) => Some(p.project(film)),
+            Self::Omnimax(p) => p.project(film),
+            Self::Panoramic(p) => Some(p.project(film)),
+            Self::Spherical(p) => Some(p.project(film)),
+            Self::Cylinder(p) => Some(p.project(film)),
+        }
+    }
+
+    /// Whether all rays start at one point.
+    pub fn has_one_origin(&self) -> bool {
+        match self {
+            Self::Orthographic(_) => false,
+            Self::Cylinder(p) => p.has_one_origin(),
+            _ => true,
+        }
+    }
+}
+
+impl Camera {
+    /// The unit ray through a place on the film, without the lens.
+    pub fn ray(&self, film: Film) -> Option<Ray> {
+        let projected = self.projection.project(film)?;
+        Some(self.bend(projected.ray, projected.parameters))
+    }
+
+    /// Whether all rays start at one point.
+    pub fn has_one_origin(&self) -> bool {
+        self.blur.is_none() && self.projection.has_one_origin()
+    }
+
+    /// Normalises a ray and applies the camera's `normal` (docs/spec/camera-image.md 6).
+    pub fn bend(&self, ray: Ray, parameters: DVec2) -> Ray {
+        let direction = ray.direction.normalize_or_zero();
+        let direction = match &self.normal {
+            Some(normal) => {
+                let sample = Sample::at_point(parameters.extend(0.0));
+                normal.perturb(&sample, direction).normalize_or_zero()
+            }
+            None => direction,
+        };
+        Ray::new(ray.origin, direction)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,17 @@
+//! `perspective`: straight lines stay straight.
+
+use super::{Film, Frame, Projected};
+
+/// A pinhole camera; the field of view comes from the lengths of the vectors.
+#[derive(Clone, Debug)]
+pub struct Perspective {
+    /// The camera's vectors.
+    pub frame: Frame,
+}
+
+impl Perspective {
+    /// The ray `D + x R + y U` from the eye.
+    pub fn project(&self, film: Film) -> Projected {
+        Projected { ray: self.frame.ray(film.x, film.y, 1.0), parameters: film }
+    }
+}

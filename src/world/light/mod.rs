@@ -1,0 +1,138 @@
+//! Lights: what reaches a point if nothing is in the way (docs/spec/shading.md 16).
+
+pub mod area_light;
+pub mod cylinder;
+pub mod spotlight;
+
+pub use area_light::AreaLight;
+pub use cylinder::Cylinder;
+pub use spotlight::Spotlight;
+
+use crate::math::{DVec3, Rgb};
+
+/// A `light_source` in world space.
+#[derive(Clone, Debug)]
+pub struct Light {
+    /// How it is cut off.
+    pub kind: Kind,
+    /// Where it is; the middle of an area light.
+    pub location: DVec3,
+    /// Where spotlights, cylinders and parallel lights point to.
+    pub point_at: DVec3,
+    /// Unit vector from the location to `point_at`.
+    pub axis: DVec3,
+    /// Its colour; negative components darken.
+    pub color: Rgb,
+    /// `parallel`: rays run along the axis everywhere.
+    pub parallel: bool,
+    /// How it fades with distance.
+    pub fade: Option<Fade>,
+    /// A grid of lights instead of one.
+    pub area: Option<AreaLight>,
+    /// `projected_through`: the number of the object that light must come through.
+    pub projected_through: Option<u32>,
+    /// Without shadows and highlights.
+    pub shadowless: bool,
+    /// Whether media is lit by it.
+    pub media_interaction: bool,
+    /// Whether fog and atmospheric media dim it.
+    pub media_attenuation: bool,
+}
+
+/// How a light is cut off.
+#[derive(Clone, Debug)]
+#[expect(missing_docs, reason = "named and described by the files")]
+pub enum Kind {
+    Point,
+    Spotlight(Spotlight),
+    Cylinder(Cylinder),
+}
+
+/// `fade_distance` and `fade_power`, both given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fade {
+    /// Where the light has its nominal strength; nearer it is up to twice as bright.
+    pub distance: f64,
+    /// How fast it fades.
+    pub power: f64,
+}
+
+/// Light on its way to a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Incident {
+    /// Unit vector from the point towards the light.
+    pub direction: DVec3,
+    /// How far the light is; negative behind a parallel light.
+    pub distance: f64,
+    /// What arrives if nothing is in the way.
+    pub color: Rgb,
+}
+
+/// Colours whose components are all smaller than this are dark (docs/spec/shading.md 2).
+const DARK: f32 = 1e-10;
+
+impl Incident {
+    /// Whether nothing arrives.
+    pub fn is_dark(&self) -> bool {
+        is_dark(self.color)
+    }
+}
+
+/// Whether a colour counts as no light at all; negative light is light.
+pub fn is_dark(color: Rgb) -> bool {
+    color.abs().max_element() < DARK
+}
+
+impl Light {
+    /// The light at `point` from the light's location.
+    pub fn reaching(&self, point: DVec3) -> Incident {
+        self.reaching_from(point, self.location, self.axis)
+    }
+
+    /// The light at `point` from a place on the area light's grid.
+    pub fn reaching_from_grid(&self, point: DVec3, offset: DVec3) -> Incident {
+        let location = self.location + offset;
+        let axis = if self.parallel { (self.point_at - location).normalize_or_zero() } else { self.axis };
+        self.reaching_from(point, location, axis)
+    }
+
+    fn reaching_from(&self, point: DVec3, location: DVec3, axis: DVec3) -> Incident {
+        let way = location - point;
+        let runs_parallel = self.parallel || matches!(self.kind, Kind::Cylinder(_));
+        let (direction, distance) = if runs_parallel {
+            (-axis, -way.dot(axis))
+        } else {
+            let distance = way.length();
+            (if distance > 0.0 { way / distance } else { DVec3::ZERO }, distance)
+        };
+        let angular = match &self.kind {
+            Kind::Point => 1.0,
+            Kind::Spotlight(spot) => spot.attenuation(-direction.dot(axis)),
+            Kind::Cylinder(cylinder) => cylinder.attenuation(-way, axis),
+        };
+        let fading = self.fade.map_or(1.0, |fade| fade.attenuation(distance));
+        Incident { direction, distance, color: self.color * (angular * fading) as f32 }
+    }
+}
+
+impl Fade {
+    /// `2 / (1 + (d / distance)^power)`.
+    fn attenuation(self, distance: f64) -> f64 {
+        2.0 / (1.0 + (distance.abs() / self.distance).powf(self.power))
+    }
+}
+
+/// A soft step: 0 below `low`, 1 from `high` on, `3p² - 2p³` between.
+fn soften(low: f64, high: f64, x: f64) -> f64 {
+    if x < low {
+        0.0
+    } else if x >= high {
+        1.0
+    } else {
+        let p = (x - low) / (high - low);
+        p * p * (3.0 - 2.0 * p)
+    }
+}
+
+#[cfg(test)]
+mod tests;
