@@ -1,5 +1,9 @@
 //! From the description of a scene to the compiled world.
 
+pub mod camera;
+pub mod interior;
+pub mod light;
+
 use std::fmt;
 
 use crate::source::Span;

@@ -50,11 +50,7 @@ impl Gamma {
             (from, to) if from == to => stored,
             (Self::Power(from), Self::Power(to)) => {
                 let exponent = from / to;
-                if is_neutral(exponent) {
-                    stored
-                } else {
-                    stored.max(0.0).powf(exponent)
-                }
+                if is_neutral(exponent) { stored } else { stored.max(0.0).powf(exponent) }
             }
             (from, to) => to.encode(from.decode(stored)),
         }
@@ -98,10 +94,7 @@ mod tests {
         for gamma in [Gamma::Srgb, Gamma::Power(2.2), Gamma::LINEAR] {
             for step in 0..=100 {
                 let light = step as f32 / 100.0;
-                assert!(
-                    (gamma.decode(gamma.encode(light)) - light).abs() < 1e-5,
-                    "{gamma:?} {light}"
-                );
+                assert!((gamma.decode(gamma.encode(light)) - light).abs() < 1e-5, "{gamma:?} {light}");
             }
         }
     }

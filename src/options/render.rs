@@ -86,10 +86,7 @@ impl RenderOptions {
         Self {
             width,
             height,
-            region: Region {
-                columns: 0..width,
-                rows: 0..height,
-            },
+            region: Region { columns: 0..width, rows: 0..height },
             block_size: 32,
             antialias: None,
             quality: 9,
@@ -113,12 +110,6 @@ impl Region {
 impl Default for Antialias {
     /// What `+A` alone means.
     fn default() -> Self {
-        Self {
-            method: AntialiasMethod::Neighbours,
-            threshold: 0.3,
-            depth: 3,
-            jitter: 1.0,
-            gamma: 2.5,
-        }
+        Self { method: AntialiasMethod::Neighbours, threshold: 0.3, depth: 3, jitter: 1.0, gamma: 2.5 }
     }
 }

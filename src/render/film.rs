@@ -18,10 +18,6 @@ impl Image {
     /// A black and opaque picture, as pixels outside the rendered region stay.
     pub fn new(width: u32, height: u32) -> Self {
         let pixels = vec![[0.0, 0.0, 0.0, 1.0]; width as usize * height as usize];
-        Self {
-            width,
-            height,
-            pixels,
-        }
+        Self { width, height, pixels }
     }
 }

@@ -19,6 +19,8 @@ pub struct Interior {
     pub dispersion_samples: u32,
     /// Strength of faked caustics; 0 for none.
     pub caustics: f32,
+    /// Multiplies what is seen through the surface, `refraction` of old scenes; 1 for none.
+    pub refraction: f32,
     /// How light fades inside.
     pub fade: Option<Fade>,
     /// Whether its object is `hollow`: fog goes on inside.
@@ -28,7 +30,15 @@ pub struct Interior {
 impl Default for Interior {
     /// What an object without an interior is filled with.
     fn default() -> Self {
-        Self { ior: AIR, dispersion: 1.0, dispersion_samples: 7, caustics: 0.0, fade: None, hollow: false }
+        Self {
+            ior: AIR,
+            dispersion: 1.0,
+            dispersion_samples: 7,
+            caustics: 0.0,
+            refraction: 1.0,
+            fade: None,
+            hollow: false,
+        }
     }
 }
 

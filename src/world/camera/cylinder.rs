@@ -46,8 +46,7 @@ impl Cylinder {
         let (flat, shift) = (sin * turn + cos * direction, height * axis);
         let ray =
             if self.moving { Ray::new(location + shift, flat) } else { Ray::new(location, flat + shift) };
-        let parameters =
-            if self.upright { DVec2::new(angle, height) } else { DVec2::new(height, angle) };
+        let parameters = if self.upright { DVec2::new(angle, height) } else { DVec2::new(height, angle) };
         Projected { ray, parameters }
     }
 }

@@ -3,7 +3,6 @@
 
 pub mod cylinder;
 pub mod fisheye;
-pub mod focal_blur;
 pub mod omnimax;
 pub mod orthographic;
 pub mod panoramic;
@@ -13,7 +12,6 @@ pub mod ultra_wide_angle;
 
 pub use cylinder::Cylinder;
 pub use fisheye::Fisheye;
-pub use focal_blur::FocalBlur;
 pub use omnimax::Omnimax;
 pub use orthographic::Orthographic;
 pub use panoramic::Panoramic;
@@ -22,22 +20,23 @@ pub use spherical::Spherical;
 pub use ultra_wide_angle::UltraWideAngle;
 
 use super::Ray;
-use super::texture::{Normal, Sample};
 use crate::math::{DVec2, DVec3};
 
 /// A place on the film: `x` from -½ (left) to ½ (right), `y` from -½ (bottom) to ½ (top).
 /// Samples of antialiasing may lie a little outside.
 pub type Film = DVec2;
 
+/// The place on the film of image coordinates in a picture of the given size; whole numbers are
+/// the middles of pixels (docs/spec/camera-image.md 2).
+pub fn film(x: f64, y: f64, width: u32, height: u32) -> Film {
+    Film::new((x + 0.5) / f64::from(width) - 0.5, 0.5 - (y + 0.5) / f64::from(height))
+}
+
 /// The eye.
 #[derive(Debug)]
 pub struct Camera {
     /// How the film becomes rays.
     pub projection: Projection,
-    /// The lens, where pictures are blurred out of focus.
-    pub blur: Option<FocalBlur>,
-    /// Bends the rays.
-    pub normal: Option<Normal>,
 }
 
 /// How the film becomes rays.
@@ -121,28 +120,15 @@ impl Projection {
 }
 
 impl Camera {
-    /// The unit ray through a place on the film, without the lens.
+    /// The unit ray through a place on the film.
     pub fn ray(&self, film: Film) -> Option<Ray> {
-        let projected = self.projection.project(film)?;
-        Some(self.bend(projected.ray, projected.parameters))
+        let ray = self.projection.project(film)?.ray;
+        Some(Ray::new(ray.origin, ray.direction.normalize_or_zero()))
     }
 
     /// Whether all rays start at one point.
     pub fn has_one_origin(&self) -> bool {
-        self.blur.is_none() && self.projection.has_one_origin()
-    }
-
-    /// Normalises a ray and applies the camera's `normal` (docs/spec/camera-image.md 6).
-    pub fn bend(&self, ray: Ray, parameters: DVec2) -> Ray {
-        let direction = ray.direction.normalize_or_zero();
-        let direction = match &self.normal {
-            Some(normal) => {
-                let sample = Sample::at_point(parameters.extend(0.0));
-                normal.perturb(&sample, direction).normalize_or_zero()
-            }
-            None => direction,
-        };
-        Ray::new(ray.origin, direction)
+        self.projection.has_one_origin()
     }
 }
 

@@ -1,6 +1,7 @@
 //! The probe rows of docs/spec/shading.md 16, seen from points of the plane z = 5.
 
 use super::*;
+use crate::math::DVec2;
 
 fn light(kind: Kind) -> Light {
     Light {
