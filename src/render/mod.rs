@@ -1,3 +1,5 @@
 //! From a compiled scene to a picture.
 
 pub mod film;
+pub mod jitter;
+pub mod sampling;
