@@ -109,10 +109,10 @@ impl Expectations {
 }
 
 /// What was found about a case, on one line.
-pub fn finding(case: &Case) -> String {
+fn finding(case: &Case) -> String {
     match &case.difference {
         Some(d) if case.message.is_empty() => {
-            format!("{:.2} % of pixels near, mean {:.2}, RMSE {:.2}", d.near * 100.0, d.mean, d.rmse)
+            format!("{:.2} % of pixels near, mean {:.2}, RMSE {:.2}", d.near_percent(), d.mean, d.rmse)
         }
         _ => case.message.clone(),
     }

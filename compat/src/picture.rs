@@ -31,6 +31,13 @@ pub struct Difference {
     pub rmse: f64,
 }
 
+impl Difference {
+    /// The share of near pixels in percent, rounded down to hundredths, so that 100 is all of them.
+    pub fn near_percent(&self) -> f64 {
+        (self.near * 1e4).floor() / 1e2
+    }
+}
+
 impl Picture {
     /// Reads a PNG file; 16-bit samples are reduced to 8.
     pub fn decode(png: &[u8]) -> ImageResult<Self> {
@@ -145,10 +152,16 @@ pub(crate) mod tests {
         });
         let d = a.difference(&b).unwrap();
         assert_eq!(d.worst, 10);
-        assert_eq!(d.near, 38.0 / 40.0);
+        assert_eq!((d.near, d.near_percent()), (38.0 / 40.0, 95.0));
         assert_eq!(d.mean, (2 + 2 + 1 + 3 + 10) as f64 / 120.0);
         assert_eq!(d.rmse, ((4 + 4 + 1 + 9 + 100) as f64 / 120.0).sqrt());
         assert_eq!(d, b.difference(&a).unwrap());
+    }
+
+    #[test]
+    fn one_wrong_pixel_is_not_a_hundred_percent() {
+        let d = Difference { worst: 3, near: 0.99999, mean: 0.0, rmse: 0.0 };
+        assert_eq!(d.near_percent(), 99.99);
     }
 
     #[test]

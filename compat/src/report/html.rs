@@ -5,7 +5,6 @@ use std::fmt::Write;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use crate::expectations::finding;
 use crate::report::Report;
 use crate::suite::Case;
 use crate::verdict::Verdict;
@@ -67,13 +66,13 @@ fn card(case: &Case, reason: Option<String>) -> String {
             card,
             "worst <b>{}</b> · within 2/255 <b>{:.2} %</b> · mean <b>{:.3}</b> · RMSE <b>{:.2}</b>",
             d.worst,
-            (d.near * 10_000.0).floor() / 100.0,
+            d.near_percent(),
             d.mean,
             d.rmse
         );
     }
     if let Some(spread) = &case.spread {
-        let _ = write!(card, " · POV-Ray's own spread <b>{:.2}</b>", spread.rmse);
+        let _ = write!(card, " · own spread <b>{:.2}</b>", spread.rmse);
     }
     if let Some(times) = &case.times {
         let _ = write!(
@@ -85,8 +84,8 @@ fn card(case: &Case, reason: Option<String>) -> String {
         );
     }
     card.push_str("</p>\n");
-    if case.verdict != Verdict::Match || !case.message.is_empty() {
-        let _ = writeln!(card, "<p class=\"message\">{}</p>", escape(&finding(case)));
+    if !case.message.is_empty() {
+        let _ = writeln!(card, "<p class=\"message\">{}</p>", escape(&case.message));
     }
     if let Some(reason) = reason {
         let _ = writeln!(card, "<p class=\"reason\">Known: {}</p>", escape(&reason));

@@ -50,9 +50,8 @@ pub fn cases(report: &Report) -> String {
 
 fn figures(case: &Case) -> String {
     match &case.difference {
-        // The share is rounded down, so that 100 is all of them.
         Some(d) => {
-            format!("{:>5}  {:>6.2}  {:>6.2}  {:>6.2}", d.worst, (d.near * 1e4).floor() / 1e2, d.mean, d.rmse)
+            format!("{:>5}  {:>6.2}  {:>6.2}  {:>6.2}", d.worst, d.near_percent(), d.mean, d.rmse)
         }
         None => format!("{:29}", ""),
     }
