@@ -2,8 +2,10 @@
 //! drives them, and judges how far the pictures agree.
 //!
 //! - [`scene`]: which scenes there are and the switches each is rendered with
+//! - [`parallel`]: several pieces of work at once
 //! - [`process`]: one run of a program under limits of time and memory
 //! - [`program`]: a renderer, and what became of one scene in it
+//! - [`reading`]: scenes read by povista and not rendered
 //! - [`cache`]: POV-Ray's pictures, kept by the content they depend on
 //! - [`picture`]: 8-bit pixels, the figures of a comparison, the heat map
 //! - [`verdict`]: the rule that turns the figures into a verdict
@@ -17,9 +19,11 @@
 
 pub mod cache;
 pub mod expectations;
+pub mod parallel;
 pub mod picture;
 pub mod process;
 pub mod program;
+pub mod reading;
 pub mod report;
 pub mod scene;
 pub mod suite;

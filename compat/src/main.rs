@@ -12,6 +12,7 @@ use clap::Parser;
 use povista_compat::cache::Cache;
 use povista_compat::expectations::Expectations;
 use povista_compat::program::Program;
+use povista_compat::reading;
 use povista_compat::report::{self, Report};
 use povista_compat::scene::{Places, Scene};
 use povista_compat::suite::{Case, Suite};
@@ -42,6 +43,9 @@ struct Arguments {
     /// Write what was found into compat/expectations
     #[arg(long)]
     update: bool,
+    /// Only have povista read the scenes, and count what it can't
+    #[arg(long)]
+    check: bool,
     /// Only render and keep POV-Ray's pictures
     #[arg(long)]
     references: bool,
@@ -75,6 +79,11 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
         return list_examples(&places, arguments, limit);
     }
     let scenes = scenes(&places, arguments)?;
+    if arguments.check {
+        let readings = reading::read(&Program::povista()?, &scenes, jobs(arguments)?, limit)?;
+        print!("{}", report::readings(&readings));
+        return Ok(readings.iter().all(|reading| reading.error.is_none()));
+    }
     let suite = Suite { povista: povista(arguments)?, ..suite(&places, arguments, limit)? };
     let mut cases = compare(&suite, &scenes)?;
     if let Some(povista) = suite.povista.as_ref().filter(|_| arguments.time) {
@@ -131,14 +140,18 @@ fn povista(arguments: &Arguments) -> io::Result<Option<Program>> {
     if arguments.references { Ok(None) } else { Program::povista().map(Some) }
 }
 
+fn jobs(arguments: &Arguments) -> io::Result<usize> {
+    let cores = thread::available_parallelism()?.get();
+    Ok(arguments.jobs.unwrap_or(cores + cores.div_ceil(2)))
+}
+
 /// A suite with POV-Ray alone.
 fn suite(places: &Places, arguments: &Arguments, limit: Duration) -> io::Result<Suite> {
-    let cores = thread::available_parallelism()?.get();
     Ok(Suite {
         povray: Program::povray()?,
         povista: None,
         cache: Cache::here(places)?,
-        jobs: arguments.jobs.unwrap_or(cores + cores.div_ceil(2)),
+        jobs: jobs(arguments)?,
         limit,
     })
 }

@@ -100,6 +100,18 @@ impl Program {
         let outcome = outcome(&finished, std::fs::read(picture).ok());
         Ok(Rendering { outcome, wall })
     }
+
+    /// Has povista read `scene` without rendering it; the error, if there is one.
+    pub fn check(&self, scene: &Scene, limit: Duration) -> io::Result<Option<String>> {
+        let sandbox = Sandbox::copy_of(scene.folder())?;
+        let arguments = ["check".to_owned(), scene.file_name()];
+        let finished = sandbox.run(&self.path, &arguments, limit)?;
+        Ok((finished.ended != Ended::Code(0)).then(|| match outcome(&finished, None) {
+            Outcome::Refused(message) => message,
+            Outcome::Crashed(message) => format!("crashed: {message}"),
+            Outcome::OutOfTime | Outcome::Picture(_) => "no end within the limit".to_owned(),
+        }))
+    }
 }
 
 /// A program in the folder of this one, or above it: cargo puts tests in `deps`.

@@ -1,14 +1,12 @@
 //! Many scenes rendered by both programs, several at a time, and judged.
 
 use std::io;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
 use std::time::Duration;
 
 use serde::Serialize;
 
 use crate::cache::Cache;
+use crate::parallel::each;
 use crate::picture::{Difference, Picture};
 use crate::program::{Outcome, Program};
 use crate::scene::{Scene, invalid};
@@ -58,25 +56,12 @@ impl Suite {
     pub fn compare(&self, scenes: &[Scene], done: impl Fn(&Case) + Sync) -> io::Result<Vec<Case>> {
         let mut order: Vec<usize> = (0..scenes.len()).collect();
         order.sort_by_key(|&index| std::cmp::Reverse(scenes[index].seconds));
-        let next = AtomicUsize::new(0);
-        let cases = Mutex::new(Vec::with_capacity(scenes.len()));
-        let lock = || cases.lock().unwrap_or_else(PoisonError::into_inner);
-        thread::scope(|scope| {
-            for _ in 0..self.jobs.max(1) {
-                scope.spawn(|| {
-                    while let Some(&index) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
-                        let case = self.case(&scenes[index]);
-                        if let Ok(case) = &case {
-                            done(case);
-                        }
-                        lock().push((index, case));
-                    }
-                });
-            }
-        });
-        let mut cases = cases.into_inner().unwrap_or_else(PoisonError::into_inner);
-        cases.sort_by_key(|&(index, _)| index);
-        cases.into_iter().map(|(_, case)| case).collect()
+        let compare = |index: usize| {
+            let case = self.case(&scenes[index])?;
+            done(&case);
+            Ok(case)
+        };
+        each(&order, self.jobs, compare).into_iter().collect()
     }
 
     /// Compares one scene.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
+use crate::reading::Reading;
 use crate::report::Report;
 use crate::suite::Case;
 use crate::timing::{Times, Timing, mean_ratios};
@@ -74,22 +75,37 @@ fn times(case: &Case, timed: bool) -> String {
 /// What keeps scenes from matching, the commonest first: features povista refuses, then other
 /// messages, each with its number of scenes.
 pub fn features(report: &Report) -> String {
+    let failing = report.cases.iter().filter_map(|case| match case.verdict {
+        Verdict::Match | Verdict::Excluded => None,
+        Verdict::Differs => Some((case.scene.as_str(), "another picture".to_owned())),
+        _ => Some((case.scene.as_str(), feature(&case.message))),
+    });
+    counted(failing)
+}
+
+/// What keeps scenes from being read, the commonest first, and how many are read.
+pub fn readings(readings: &[Reading]) -> String {
+    let failing = readings.iter().filter_map(|reading| {
+        let error = reading.error.as_ref()?;
+        Some((reading.scene.as_str(), feature(error)))
+    });
+    let failing: Vec<_> = failing.collect();
+    let read = readings.len() - failing.len();
+    format!("{}{read} of {} scenes are read without error\n", counted(failing.into_iter()), readings.len())
+}
+
+/// One line for each different reason, with the number of its scenes and one of them.
+fn counted<'a>(failing: impl Iterator<Item = (&'a str, String)>) -> String {
     let mut counts: BTreeMap<String, Vec<&str>> = BTreeMap::new();
-    for case in report.cases {
-        let what = match case.verdict {
-            Verdict::Match | Verdict::Excluded => continue,
-            Verdict::Differs => "another picture".to_owned(),
-            _ => feature(&case.message),
-        };
-        counts.entry(what).or_default().push(&case.scene);
+    for (scene, reason) in failing {
+        counts.entry(reason).or_default().push(scene);
     }
     let mut counts: Vec<_> = counts.into_iter().collect();
     counts.sort_by_key(|(_, scenes)| std::cmp::Reverse(scenes.len()));
-    let mut table = String::new();
-    for (what, scenes) in counts {
-        let _ = writeln!(table, "{:>4}  {what}  (such as {})", scenes.len(), scenes[0]);
-    }
-    table
+    let line = |(reason, scenes): &(String, Vec<&str>)| {
+        format!("{:>4}  {reason}  (such as {})\n", scenes.len(), scenes[0])
+    };
+    counts.iter().map(line).collect()
 }
 
 /// What a message is about: the unsupported feature, or the message without its place.
@@ -152,5 +168,15 @@ mod tests {
             features(&report),
             "   2  not supported yet: media  (such as a.pov)\n   1  error: bad number  (such as b.pov)\n"
         );
+    }
+
+    #[test]
+    fn what_is_not_read_is_counted() {
+        let reading = |scene: &str, error: Option<&str>| Reading {
+            scene: scene.to_owned(),
+            error: error.map(str::to_owned),
+        };
+        let all = [reading("a.pov", None), reading("b.pov", Some("File 'b.pov' line 1: Parse Error: odd"))];
+        assert_eq!(readings(&all), "   1  odd  (such as b.pov)\n1 of 2 scenes are read without error\n");
     }
 }
