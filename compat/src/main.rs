@@ -25,7 +25,7 @@ struct Arguments {
     /// `quick`, `all`, `list-examples` (renews compat/examples.txt), or scenes and folders
     #[arg(default_value = "quick")]
     targets: Vec<String>,
-    /// Time both programs in turn, with no cache and nothing beside
+    /// Time both programs in turn, with no cache and nothing beside; with --check, their reading alone
     #[arg(long)]
     time: bool,
     /// Pairs of runs per scene when timing; the least time counts
@@ -79,6 +79,9 @@ fn run(arguments: &Arguments) -> io::Result<bool> {
         return list_examples(&places, arguments, limit);
     }
     let scenes = scenes(&places, arguments)?;
+    if arguments.check && arguments.time {
+        return time_reading(&scenes, arguments, limit);
+    }
     if arguments.check {
         let readings = reading::read(&Program::povista()?, &scenes, jobs(arguments)?, limit)?;
         print!("{}", report::readings(&readings));
@@ -180,6 +183,19 @@ fn time(
         case.times = timing::time(povray, povista, scene, arguments.threads, arguments.rounds, limit)?;
     }
     Ok(())
+}
+
+/// Times the reading of the scenes both programs read.
+fn time_reading(scenes: &[Scene], arguments: &Arguments, limit: Duration) -> io::Result<bool> {
+    let (povray, povista) = (Program::povray()?, Program::povista()?);
+    let mut timings = Vec::new();
+    for scene in scenes {
+        eprintln!("timing {}", scene.name);
+        let timing = timing::time_reading(&povray, &povista, scene, arguments.rounds, limit)?;
+        timings.extend(timing.map(|timing| (scene.name.clone(), timing)));
+    }
+    print!("{}", report::reading_times(&timings));
+    Ok(timings.len() == scenes.len())
 }
 
 /// Renders every installed example with POV-Ray and lists those it renders, with their seconds.

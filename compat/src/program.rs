@@ -102,15 +102,19 @@ impl Program {
     }
 
     /// Has povista read `scene` without rendering it; the error, if there is one.
-    pub fn check(&self, scene: &Scene, limit: Duration) -> io::Result<Option<String>> {
-        let sandbox = Sandbox::copy_of(scene.folder())?;
-        let arguments = ["check".to_owned(), scene.file_name()];
-        let finished = sandbox.run(&self.path, &arguments, limit)?;
-        Ok((finished.ended != Ended::Code(0)).then(|| match outcome(&finished, None) {
+    pub fn check(&self, scene: &Scene, limit: Duration) -> io::Result<(Finished, Option<String>)> {
+        let finished = self.run(scene, &["check".to_owned(), scene.file_name()], limit)?;
+        let error = (finished.ended != Ended::Code(0)).then(|| match outcome(&finished, None) {
             Outcome::Refused(message) => message,
             Outcome::Crashed(message) => format!("crashed: {message}"),
             Outcome::OutOfTime | Outcome::Picture(_) => "no end within the limit".to_owned(),
-        }))
+        });
+        Ok((finished, error))
+    }
+
+    /// Runs the program with any arguments in a copy of the scene's folder.
+    pub fn run(&self, scene: &Scene, arguments: &[String], limit: Duration) -> io::Result<Finished> {
+        Sandbox::copy_of(scene.folder())?.run(&self.path, arguments, limit)
     }
 }
 

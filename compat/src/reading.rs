@@ -21,7 +21,7 @@ pub fn read(povista: &Program, scenes: &[Scene], jobs: usize, limit: Duration) -
     let order: Vec<usize> = (0..scenes.len()).collect();
     let read = |number: usize| {
         let scene = &scenes[number];
-        Ok(Reading { scene: scene.name.clone(), error: povista.check(scene, limit)? })
+        Ok(Reading { scene: scene.name.clone(), error: povista.check(scene, limit)?.1 })
     };
     each(&order, jobs, read).into_iter().collect()
 }

@@ -10,7 +10,7 @@ use std::path::Path;
 use serde::Serialize;
 
 pub use html::page;
-pub use table::{cases, features, readings};
+pub use table::{cases, features, reading_times, readings};
 
 use crate::suite::Case;
 use crate::verdict::Verdict;

@@ -10,6 +10,9 @@ use serde::Serialize;
 use crate::program::{Outcome, Program};
 use crate::scene::Scene;
 
+/// A time below this, in seconds, is not told from none.
+const LEAST: f64 = 1e-4;
+
 /// Least times of one program on one scene, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Times {
@@ -17,6 +20,14 @@ pub struct Times {
     pub wall: f64,
     /// On all processors together, as user and as system.
     pub cpu: f64,
+}
+
+impl Times {
+    /// Lowers each time to that of another run, where that is less.
+    fn least(&mut self, other: Times) {
+        self.wall = self.wall.min(other.wall);
+        self.cpu = self.cpu.min(other.cpu);
+    }
 }
 
 /// Both programs on one scene.
@@ -29,9 +40,19 @@ pub struct Timing {
 }
 
 impl Timing {
+    /// What any run is less than.
+    const UNKNOWN: Timing = {
+        let times = Times { wall: f64::INFINITY, cpu: f64::INFINITY };
+        Timing { povray: times, povista: times }
+    };
+
     /// How many times faster povista is by the clock and in processor time.
     pub fn ratios(&self) -> Times {
-        Times { wall: self.povray.wall / self.povista.wall, cpu: self.povray.cpu / self.povista.cpu }
+        let ratio = |povray: f64, povista: f64| povray / povista.max(LEAST);
+        Times {
+            wall: ratio(self.povray.wall, self.povista.wall),
+            cpu: ratio(self.povray.cpu, self.povista.cpu),
+        }
     }
 }
 
@@ -44,18 +65,47 @@ pub fn time(
     rounds: usize,
     limit: Duration,
 ) -> io::Result<Option<Timing>> {
-    let unknown = Times { wall: f64::INFINITY, cpu: f64::INFINITY };
-    let mut timing = Timing { povray: unknown, povista: unknown };
+    let mut timing = Timing::UNKNOWN;
     for _ in 0..rounds.max(1) {
         for (program, least) in [(povray, &mut timing.povray), (povista, &mut timing.povista)] {
             let Some(times) = once(program, scene, threads, limit)? else {
                 return Ok(None);
             };
-            least.wall = least.wall.min(times.wall);
-            least.cpu = least.cpu.min(times.cpu);
+            least.least(times);
         }
     }
     Ok(Some(timing))
+}
+
+/// Times the reading of one scene alone: what POV-Ray calls its parse time against all of a run of
+/// `povista check`, start-up included. Nothing where either doesn't read it.
+pub fn time_reading(
+    povray: &Program,
+    povista: &Program,
+    scene: &Scene,
+    rounds: usize,
+    limit: Duration,
+) -> io::Result<Option<Timing>> {
+    let mut timing = Timing::UNKNOWN;
+    let arguments = [&format!("+I{}", scene.file_name()), "+W1", "+H1", "-D", "-F", "+WT1"];
+    let arguments = arguments.map(str::to_owned);
+    for _ in 0..rounds.max(1) {
+        let finished = povray.run(scene, &arguments, limit)?;
+        let Some(times) = parse_time(&finished.stderr) else { return Ok(None) };
+        timing.povray.least(times);
+        let before = children()?;
+        let (finished, None) = povista.check(scene, limit)? else { return Ok(None) };
+        timing.povista.least(Times { wall: finished.wall.as_secs_f64(), cpu: children()? - before });
+    }
+    Ok(Some(timing))
+}
+
+/// The parse time among POV-Ray's closing statistics.
+fn parse_time(stderr: &str) -> Option<Times> {
+    let (_, text) = stderr.split_once("Parse Time:")?;
+    let (wall, text) = text.split_once('(')?.1.split_once(" seconds)")?;
+    let (_, cpu) = text.split_once(" CPU-seconds")?.0.rsplit_once(' ')?;
+    Some(Times { wall: wall.parse().ok()?, cpu: cpu.parse().ok()? })
 }
 
 /// The geometric mean of the timings' ratios; nothing of none.
@@ -71,8 +121,8 @@ pub fn mean_ratios(timings: &[Timing]) -> Option<Times> {
 fn once(program: &Program, scene: &Scene, threads: u32, limit: Duration) -> io::Result<Option<Times>> {
     let before = children()?;
     let rendering = program.render(scene, threads, limit)?;
-    let cpu = (children()? - before).max(f64::EPSILON);
-    Ok(matches!(rendering.outcome, Outcome::Picture(_)).then_some(Times { wall: rendering.wall, cpu }))
+    let times = Times { wall: rendering.wall, cpu: children()? - before };
+    Ok(matches!(rendering.outcome, Outcome::Picture(_)).then_some(times))
 }
 
 /// Processor seconds of all children that have ended.
@@ -95,6 +145,16 @@ mod tests {
         let mean = mean_ratios(&[timing(1.0, 1.0), timing(9.0, 1.0)]).unwrap();
         assert!((mean.wall - 3.0).abs() < 1e-12 && (mean.cpu - 4.0).abs() < 1e-12, "{mean:?}");
         assert_eq!(mean_ratios(&[]), None);
+    }
+
+    #[test]
+    fn parse_time_is_read_from_the_closing_statistics() {
+        let stderr = "Render Statistics\n  Photon Time:      No photons\n  \
+            Parse Time:       0 hours  0 minutes 12 seconds (12.296 seconds)\n              \
+            using 1 thread(s) with 11.288 CPU-seconds total\n  \
+            Bounding Time:    0 hours  0 minutes  0 seconds (0.001 seconds)\n";
+        assert_eq!(parse_time(stderr), Some(Times { wall: 12.296, cpu: 11.288 }));
+        assert_eq!(parse_time("Fatal error in parser: no"), None);
     }
 
     #[test]

@@ -9,6 +9,9 @@ use crate::suite::Case;
 use crate::timing::{Times, Timing, mean_ratios};
 use crate::verdict::Verdict;
 
+/// What heads the columns of [`times`].
+const TIMES: &str = "povray s povista s  ratio  povray CPU povista CPU  ratio";
+
 /// What povista says before the name of a feature it can't render.
 const UNSUPPORTED: &str = "not supported yet:";
 
@@ -26,12 +29,12 @@ pub fn cases(report: &Report) -> String {
         "near %",
         "mean",
         "RMSE",
-        if timed { "povray s povista s  ratio  povray CPU povista CPU  ratio" } else { "" }
+        if timed { TIMES } else { "" }
     );
     let mut table = format!("{}\n", head.trim_end());
     for case in report.cases {
         let row = format!("{:width$}  {:8}  {}  ", case.scene, case.verdict, figures(case));
-        let _ = writeln!(table, "{}", (row + &times(case, timed) + &case.message).trim_end());
+        let _ = writeln!(table, "{}", (row + &times(case.times.as_ref(), timed) + &case.message).trim_end());
     }
     let sums: Vec<String> = Verdict::ALL
         .into_iter()
@@ -39,14 +42,7 @@ pub fn cases(report: &Report) -> String {
         .map(|verdict| format!("{} {verdict}", report.count(verdict)))
         .collect();
     let _ = writeln!(table, "{} scenes: {}", report.cases.len(), sums.join(", "));
-    if let Some(mean) = mean_ratios(&timings) {
-        let (count, Times { wall, cpu }) = (timings.len(), mean);
-        let _ = writeln!(
-            table,
-            "geometric mean of {count} ratios: {wall:.1}x by the clock, {cpu:.1}x in CPU time"
-        );
-    }
-    table
+    table + &mean(&timings)
 }
 
 fn figures(case: &Case) -> String {
@@ -58,8 +54,8 @@ fn figures(case: &Case) -> String {
     }
 }
 
-fn times(case: &Case, timed: bool) -> String {
-    match &case.times {
+fn times(timing: Option<&Timing>, timed: bool) -> String {
+    match timing {
         Some(timing) => {
             let (a, b, ratio) = (timing.povray, timing.povista, timing.ratios());
             format!(
@@ -70,6 +66,25 @@ fn times(case: &Case, timed: bool) -> String {
         None if timed => format!("{:57}", ""),
         None => String::new(),
     }
+}
+
+/// The line below a table of times.
+fn mean(timings: &[Timing]) -> String {
+    mean_ratios(timings).map_or_else(String::new, |Times { wall, cpu }| {
+        let count = timings.len();
+        format!("geometric mean of {count} ratios: {wall:.1}x by the clock, {cpu:.1}x in CPU time\n")
+    })
+}
+
+/// One line per scene with the times of reading it, and the mean of the ratios.
+pub fn reading_times(scenes: &[(String, Timing)]) -> String {
+    let width = scenes.iter().map(|(scene, _)| scene.chars().count()).max().unwrap_or(0).max("scene".len());
+    let row = |(scene, timing): &(String, Timing)| {
+        format!("{}\n", format!("{scene:width$}  {}", times(Some(timing), true)).trim_end())
+    };
+    let rows: String = scenes.iter().map(row).collect();
+    let timings: Vec<Timing> = scenes.iter().map(|&(_, timing)| timing).collect();
+    format!("{:width$}  {TIMES}\n{rows}{}", "scene", mean(&timings))
 }
 
 /// What keeps scenes from matching, the commonest first: features povista refuses, then other
