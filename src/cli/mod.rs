@@ -1,1 +1,7 @@
-//! (being built)
+//! The command lines, POV-Ray's and povista's own, and the files they leave behind.
+
+pub mod povray;
+mod problem;
+pub mod settings;
+
+pub use problem::Problem;
