@@ -1,5 +1,8 @@
 //! The command lines, POV-Ray's and povista's own, and the files they leave behind.
 
+pub mod animation;
+pub mod job;
+pub mod output;
 pub mod povray;
 mod problem;
 pub mod settings;

@@ -17,7 +17,7 @@ const EXTENSION: usize = 3;
 ///
 /// # Errors
 /// There is no such file, or something in it cannot be read.
-pub fn read_named(spec: &str, settings: &mut Settings, depth: usize) -> Result<(), Problem> {
+pub(super) fn read_named(spec: &str, settings: &mut Settings, depth: usize) -> Result<(), Problem> {
     let (name, section) = match spec.strip_suffix(']').and_then(|spec| spec.split_once('[')) {
         Some((name, section)) => (name, Some(section)),
         None => (spec, None),
@@ -31,7 +31,7 @@ pub fn read_named(spec: &str, settings: &mut Settings, depth: usize) -> Result<(
 ///
 /// # Errors
 /// The file cannot be read, or a line of it cannot.
-pub fn read_file(
+pub(super) fn read_file(
     path: &Path,
     section: Option<&str>,
     settings: &mut Settings,

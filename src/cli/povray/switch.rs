@@ -95,7 +95,7 @@ const SWITCHES: &[(&str, Use)] = &[
 ];
 
 /// Tells whether a word is a switch POV-Ray knows, whatever its value.
-pub fn is_switch(word: &str) -> bool {
+pub(super) fn is_switch(word: &str) -> bool {
     word.strip_prefix(['+', '-']).is_some_and(|rest| find(rest).is_some())
 }
 
@@ -103,7 +103,7 @@ pub fn is_switch(word: &str) -> bool {
 ///
 /// # Errors
 /// No such switch, or a value it cannot take.
-pub fn read(word: &str, settings: &mut Settings) -> Result<(), Problem> {
+pub(super) fn read(word: &str, settings: &mut Settings) -> Result<(), Problem> {
     let on = Value::Bool(word.starts_with('+'));
     let unknown = || Problem::new(format!("there is no switch `{word}`"));
     let (usage, rest) = word.strip_prefix(['+', '-']).and_then(find).ok_or_else(unknown)?;

@@ -34,7 +34,7 @@ pub fn read(word: &str, settings: &mut Settings) -> Result<(), Problem> {
 ///
 /// # Errors
 /// One of them cannot be read.
-pub fn read_switches(line: &str, settings: &mut Settings) -> Result<(), Problem> {
+pub(super) fn read_switches(line: &str, settings: &mut Settings) -> Result<(), Problem> {
     let mut rest = line.trim();
     while !rest.is_empty() {
         let next = rest
@@ -51,7 +51,7 @@ pub fn read_switches(line: &str, settings: &mut Settings) -> Result<(), Problem>
 ///
 /// # Errors
 /// There is no such INI file, or it cannot be read.
-pub fn read_plain(word: &str, settings: &mut Settings, depth: usize) -> Result<(), Problem> {
+pub(super) fn read_plain(word: &str, settings: &mut Settings, depth: usize) -> Result<(), Problem> {
     let word = match value::quoted(word) {
         Some((inside, "")) => inside,
         _ => word.trim_end(),
