@@ -1,0 +1,174 @@
+//! Diagnostics as text: with colours and frames for people, the same without colour and of fixed
+//! width for snapshots, as JSON for editors, and as the single line POV-Ray prints.
+
+use super::{Diagnostic, Severity};
+use crate::source::{Source, Sources, Span};
+use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode};
+use std::fmt::{self, Display, Write as _};
+use std::sync::Arc;
+
+/// Wide enough for a source line of an ordinary scene.
+const PLAIN_WIDTH: usize = 100;
+
+/// The report for a terminal, `width` columns wide, with colours.
+pub fn graphical(diagnostic: &Diagnostic, sources: &Sources, width: usize) -> String {
+    report(diagnostic, sources, GraphicalReportHandler::new_themed(GraphicalTheme::unicode()).with_width(width))
+}
+
+/// The report without colour and of fixed width: the same on every machine.
+pub fn plain(diagnostic: &Diagnostic, sources: &Sources) -> String {
+    let theme = GraphicalTheme::unicode_nocolor();
+    report(diagnostic, sources, GraphicalReportHandler::new_themed(theme).with_width(PLAIN_WIDTH))
+}
+
+/// The line POV-Ray's users know: `File 'NAME' line N: Parse Error: ...`, on one line.
+pub fn line(diagnostic: &Diagnostic, sources: &Sources) -> String {
+    let mut text = String::new();
+    if let Some(span) = diagnostic.span {
+        let source = sources.get(span.file);
+        let _ = write!(text, "File '{}' line {}: ", source.name, source.position(span.start).0);
+    }
+    let kind = match diagnostic.severity {
+        Severity::Error => "Parse Error",
+        Severity::Possible => "Possible Parse Error",
+        Severity::Warning => "Parse Warning",
+    };
+    let _ = write!(text, "{kind}: {}", diagnostic.message);
+    text.replace(['\n', '\r'], " ")
+}
+
+/// One JSON object on one line.
+pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> String {
+    let place = |span: Span| {
+        let source = sources.get(span.file);
+        let ((line, column), (end_line, end_column)) = (source.position(span.start), source.position(span.end));
+        serde_json::json!({
+            "file": source.name, "line": line, "column": column,
+            "end_line": end_line, "end_column": end_column,
+        })
+    };
+    let noted = |text: &str, span: Span| serde_json::json!({ "text": text, "at": place(span) });
+    serde_json::json!({
+        "severity": name(diagnostic.severity),
+        "message": diagnostic.message,
+        "at": diagnostic.span.map(place),
+        "label": diagnostic.label,
+        "labels": diagnostic.labels.iter().map(|l| noted(&l.text, l.span)).collect::<Vec<_>>(),
+        "help": diagnostic.help,
+        "trace": diagnostic.trace.iter().map(|s| noted(&s.what, s.span)).collect::<Vec<_>>(),
+    })
+    .to_string()
+}
+
+fn name(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Possible => "possible error",
+        Severity::Warning => "warning",
+    }
+}
+
+fn report(diagnostic: &Diagnostic, sources: &Sources, handler: GraphicalReportHandler) -> String {
+    let handler = handler.with_context_lines(1).without_cause_chain();
+    let mut text = String::new();
+    // Writing to a string cannot fail, and a report cut short is better than none.
+    let _ = handler.render_report(&mut text, &Report::new(diagnostic, sources));
+    for step in &diagnostic.trace {
+        let source = sources.get(step.span.file);
+        let (line, column) = source.position(step.span.start);
+        let _ = writeln!(text, "   in {}, from {}:{line}:{column}", step.what, source.name);
+    }
+    text
+}
+
+/// What miette needs to know of a diagnostic.
+#[derive(Debug)]
+struct Report {
+    severity: Severity,
+    message: String,
+    help: Option<String>,
+    code: Option<NamedSource<Arc<str>>>,
+    labels: Vec<LabeledSpan>,
+    related: Vec<Report>,
+}
+
+impl Report {
+    fn new(diagnostic: &Diagnostic, sources: &Sources) -> Report {
+        let main = diagnostic.span.map(|span| span.file);
+        let code = |source: &Source| NamedSource::new(&source.name, Arc::clone(&source.text));
+        let mut labels: Vec<LabeledSpan> = Vec::new();
+        if let Some(span) = diagnostic.span {
+            let text = if diagnostic.label.is_empty() { "here" } else { &diagnostic.label };
+            labels.push(labeled(span, text, true));
+        }
+        // miette shows one file per report: places in other files become reports of their own.
+        let mut related = Vec::new();
+        for label in &diagnostic.labels {
+            if Some(label.span.file) == main {
+                labels.push(labeled(label.span, &label.text, false));
+            } else {
+                related.push(Report {
+                    severity: Severity::Warning,
+                    message: label.text.clone(),
+                    help: None,
+                    code: Some(code(sources.get(label.span.file))),
+                    labels: vec![labeled(label.span, "here", true)],
+                    related: Vec::new(),
+                });
+            }
+        }
+        Report {
+            severity: diagnostic.severity,
+            message: diagnostic.message.clone(),
+            help: diagnostic.help.clone(),
+            code: main.map(|id| code(sources.get(id))),
+            labels,
+            related,
+        }
+    }
+}
+
+fn labeled(span: Span, text: &str, primary: bool) -> LabeledSpan {
+    let range = span.start as usize..span.end as usize;
+    if primary {
+        LabeledSpan::new_primary_with_span(Some(text.to_owned()), range)
+    } else {
+        LabeledSpan::new_with_span(Some(text.to_owned()), range)
+    }
+}
+
+impl Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Report {}
+
+impl miette::Diagnostic for Report {
+    fn severity(&self) -> Option<miette::Severity> {
+        Some(match self.severity {
+            Severity::Error => miette::Severity::Error,
+            Severity::Possible | Severity::Warning => miette::Severity::Warning,
+        })
+    }
+
+    fn help<'a>(&'a self) -> Option<Box<dyn Display + 'a>> {
+        self.help.as_ref().map(|help| Box::new(help) as Box<dyn Display>)
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.code.as_ref().map(|code| code as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        Some(Box::new(self.labels.iter().cloned()))
+    }
+
+    fn related<'a>(&'a self) -> Option<Box<dyn Iterator<Item = &'a dyn miette::Diagnostic> + 'a>> {
+        if self.related.is_empty() {
+            return None;
+        }
+        Some(Box::new(self.related.iter().map(|report| report as &dyn miette::Diagnostic)))
+    }
+}

@@ -1,0 +1,153 @@
+//! `#while` and `#for`, docs/spec/language.md 2.5. The body is read in place, turn after turn.
+
+use super::BlockKind;
+use crate::interp::scope::Place;
+use crate::interp::stream::TokenKind;
+use crate::interp::tuple::truth;
+use crate::interp::value::Value;
+use crate::interp::{Fault, Result, Vm};
+use crate::source::Span;
+use crate::syntax::{Directive, NO_LINK, Punct};
+
+const EPSILON: f64 = 1e-10;
+
+impl Vm<'_> {
+    /// `#while`, just read.
+    pub(super) fn repeat_while(&mut self, link: u32, span: Span) -> Result<()> {
+        let end = self.loop_end(Directive::While, link, span)?;
+        let condition = self.frame.pos;
+        match self.condition_value(Directive::While) {
+            Ok(value) if truth(value) => self.push_block(BlockKind::While { condition, end }, span),
+            Ok(_) => {
+                self.frame.pos = end + 1;
+                Ok(())
+            }
+            Err(fault) => self.give_up_loop(fault, end),
+        }
+    }
+
+    /// `#end` of a `#while`: the condition is read again.
+    pub(super) fn end_while(&mut self) -> Result<()> {
+        let Some(BlockKind::While { condition, end }) = self.blocks.last().map(|open| &open.kind) else { return Ok(()) };
+        let (condition, end) = (*condition, *end);
+        let span = self.blocks.last().map_or(self.last, |open| open.span);
+        self.turn(span)?;
+        self.frame.pos = condition;
+        let value = self.condition_value(Directive::While);
+        if !matches!(value, Ok(value) if truth(value)) {
+            self.blocks.pop();
+            self.frame.pos = end + 1;
+        }
+        match value {
+            Ok(_) => Ok(()),
+            Err(fault) => self.give_up_loop(fault, end),
+        }
+    }
+
+    /// `#for`, just read.
+    pub(super) fn repeat_for(&mut self, link: u32, span: Span) -> Result<()> {
+        let end = self.loop_end(Directive::For, link, span)?;
+        match self.read_for(end) {
+            Ok((kind, true)) => self.push_block(kind, span),
+            Ok((_, false)) => {
+                self.frame.pos = end + 1;
+                Ok(())
+            }
+            Err(fault) => self.give_up_loop(fault, end),
+        }
+    }
+
+    /// Reads the head of a `#for`, and whether it runs at all.
+    fn read_for(&mut self, end: usize) -> Result<(BlockKind, bool)> {
+        let open = self.next_raw();
+        if open.kind != TokenKind::Punct(Punct::OpenParen) {
+            return Err(self.expected_at(open, "`(` after `#for`"));
+        }
+        let token = self.next_raw();
+        let TokenKind::Name(name) = token.kind else {
+            let fault = self.expected_at(token, "the name that counts");
+            return Err(fault.help("write `#for (I, 1, 10)`; reserved words cannot count"));
+        };
+        if let Some(value @ (Value::Macro(_) | Value::Function(_))) = self.lookup(name) {
+            return Err(self.error(token.span, format!("`{}` is {} and cannot count", self.symbols.name(name), value.kind())));
+        }
+        self.comma()?;
+        let first = self.read_float()?;
+        self.comma()?;
+        let last = self.read_float()?;
+        let mut step = 1.0;
+        let comma = self.accept_punct(Punct::Comma)?;
+        if comma || self.peek()?.kind != TokenKind::Punct(Punct::CloseParen) {
+            let start = self.peek()?.span;
+            step = self.read_float()?;
+            if step.abs() < EPSILON {
+                let fault = self.error(start.to(self.last), "the step of `#for` is zero");
+                return Err(fault.help("the loop would never end"));
+            }
+        }
+        self.close_paren(open.span)?;
+        match self.scopes.find_local(name) {
+            // What cannot be assigned was refused above.
+            Some(place) => drop(place.set(Value::Float(first))),
+            None => self.scopes.bind_local(name, Place::new(Value::Float(first))),
+        }
+        let runs = if step > 0.0 { first < last + EPSILON } else { first > last - EPSILON };
+        Ok((BlockKind::For { name, last, step, body: self.frame.pos, end }, runs))
+    }
+
+    /// `#end` of a `#for`: counts on.
+    pub(super) fn end_for(&mut self) -> Result<()> {
+        let Some(open) = self.blocks.last() else { return Ok(()) };
+        let span = open.span;
+        let BlockKind::For { name, last, step, body, end } = open.kind else { return Ok(()) };
+        self.turn(span)?;
+        let place = self.scopes.find_local(name).cloned();
+        let Some((place, Value::Float(value))) = place.and_then(|place| place.get().map(|value| (place, value))) else {
+            self.blocks.pop();
+            let text = format!("`{}` is no number any more at the end of the `#for` that counts with it", self.symbols.name(name));
+            let fault = self.error(span, text);
+            return Err(fault.help("do not `#undef` it, or give it a value of another kind, in the body"));
+        };
+        let value = value + step;
+        drop(place.set(Value::Float(value)));
+        let over = if step > 0.0 { value > last + EPSILON } else { value < last - EPSILON };
+        if over {
+            self.blocks.pop();
+            self.frame.pos = end + 1;
+        } else {
+            self.frame.pos = body;
+        }
+        Ok(())
+    }
+
+    /// The node of a loop's `#end`, which has to be in the same file.
+    fn loop_end(&mut self, directive: Directive, link: u32, span: Span) -> Result<usize> {
+        let end = if link == NO_LINK { usize::MAX } else { self.end_of(link as usize) };
+        if end >= self.frame.end {
+            let fault = self.fatal(span, format!("`#{}` without `#end` in this file", directive.text()));
+            return Err(fault.help("a loop has to end in the file, and in the macro, where it starts"));
+        }
+        Ok(end)
+    }
+
+    fn give_up_loop(&mut self, fault: Fault, end: usize) -> Result<()> {
+        self.settle(fault);
+        self.ahead = None;
+        self.frame.pos = end + 1;
+        Ok(())
+    }
+
+    /// Counts a turn of a loop or a call of a macro.
+    pub(in crate::interp) fn turn(&mut self, span: Span) -> Result<()> {
+        self.turns += 1;
+        if self.turns > self.settings.turns {
+            let message = format!("still not done after {} turns of loops", self.settings.turns);
+            let fault = self.fatal(span, message).label("the loop that was running");
+            return Err(fault.help("does its condition ever become false? `--max-turns` allows more"));
+        }
+        if self.stopped {
+            return Err(Fault::reported());
+        }
+        Ok(())
+    }
+}

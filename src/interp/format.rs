@@ -1,0 +1,114 @@
+//! Numbers and dates as the C library writes them.
+
+use chrono::format::{Item, StrftimeItems};
+use chrono::{DateTime, TimeDelta, Utc};
+
+/// What `str` may give before it falls back to the short form.
+const LONGEST: usize = 254;
+
+/// `str(value, length, precision)`: fixed notation, padded on the left with spaces, or with zeros
+/// to `-length`; six decimals when `precision` is negative.
+pub fn format_float(value: f64, length: i32, precision: i32) -> String {
+    let precision = if precision < 0 { 6 } else { precision as usize };
+    let width = length.unsigned_abs() as usize;
+    let digits = if value.is_finite() { 309 } else { 4 };
+    let whole = if value.abs() < 10.0 { 1 } else { (value.abs().log10() as usize + 1).min(digits) };
+    let text = if whole + 2 + precision.min(1000) > LONGEST || width > LONGEST {
+        pad(general(value, precision.min(LONGEST)), width.min(LONGEST), length < 0)
+    } else {
+        pad(fixed(value, precision), width, length < 0)
+    };
+    text
+}
+
+fn fixed(value: f64, precision: usize) -> String {
+    special(value).unwrap_or_else(|| format!("{value:.precision$}"))
+}
+
+/// `%g`.
+pub fn general(value: f64, precision: usize) -> String {
+    if let Some(text) = special(value) {
+        return text;
+    }
+    let precision = precision.max(1);
+    let scientific = format!("{value:.*e}", precision - 1);
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let trim = |text: &str| match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text.to_owned(),
+    };
+    if exponent < -4 || exponent >= precision as i32 {
+        let sign = if exponent < 0 { '-' } else { '+' };
+        format!("{}e{sign}{:02}", trim(mantissa), exponent.abs())
+    } else {
+        let decimals = (precision as i32 - 1 - exponent).max(0) as usize;
+        trim(&format!("{value:.decimals$}"))
+    }
+}
+
+fn special(value: f64) -> Option<String> {
+    let sign = if value.is_sign_negative() { "-" } else { "" };
+    if value.is_nan() {
+        Some(format!("{sign}nan"))
+    } else if value.is_infinite() {
+        Some(format!("{sign}inf"))
+    } else {
+        None
+    }
+}
+
+fn pad(text: String, width: usize, zeros: bool) -> String {
+    let missing = width.saturating_sub(text.chars().count());
+    let finite = text.ends_with(|c: char| c.is_ascii_digit());
+    match text.strip_prefix('-') {
+        Some(digits) if zeros && finite => format!("-{}{digits}", "0".repeat(missing)),
+        None if zeros && finite => "0".repeat(missing) + &text,
+        _ => " ".repeat(missing) + &text,
+    }
+}
+
+/// The date so many days after the start of 2000 (UTC), by a `strftime` format; `None` where the
+/// date or the format makes no sense.
+pub fn format_date(days: f64, format: &str) -> Option<String> {
+    let start: DateTime<Utc> = DateTime::from_timestamp(946_684_800, 0)?;
+    let seconds = (days * 86_400.0 + 0.5).floor();
+    if seconds.abs() > 1e12 {
+        return None;
+    }
+    let date = start.checked_add_signed(TimeDelta::try_seconds(seconds as i64)?)?;
+    let items: Vec<Item> = StrftimeItems::new(format).collect();
+    if items.contains(&Item::Error) {
+        return None;
+    }
+    Some(date.format_with_items(items.iter()).to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floats_are_written_as_c_writes_them() {
+        assert_eq!(format_float(2.5, 0, 0), "2");
+        assert_eq!(format_float(3.5, 0, 0), "4");
+        assert_eq!(format_float(3.14159, -10, 3), "000003.142");
+        assert_eq!(format_float(1.0 / 3.0, 0, 20), "0.33333333333333331483");
+        assert_eq!(format_float(1e300, 0, 2), "1e+300");
+        assert_eq!(format_float(-0.0, 0, 2), "-0.00");
+        assert_eq!(format_float(-f64::NAN, 0, 2), "-nan");
+    }
+
+    #[test]
+    fn the_general_form_is_the_shorter_one() {
+        let short = |v| general(v, 6);
+        assert_eq!([short(1.0 / 3.0), short(1e10), short(123456789.0)], ["0.333333", "1e+10", "1.23457e+08"]);
+        assert_eq!([short(100000.0), short(0.0001), short(0.00001)], ["100000", "0.0001", "1e-05"]);
+    }
+
+    #[test]
+    fn dates_count_from_the_start_of_2000() {
+        assert_eq!(format_date(0.0, "%Y-%m-%d %H:%M:%SZ").as_deref(), Some("2000-01-01 00:00:00Z"));
+        assert_eq!(format_date(1.5, "%H:%M:%S").as_deref(), Some("12:00:00"));
+    }
+}

@@ -1,0 +1,38 @@
+//! What a scene may use up before it is stopped with an error.
+
+/// Macro calls and include files inside each other. POV-Ray stops at 98; a recursive macro that
+/// needs a thousand levels is rather one that never ends.
+pub const MOST_SCOPES: u32 = 1000;
+
+/// Directives with an `#end` inside each other.
+pub const MOST_BLOCKS: usize = 2000;
+
+/// Parentheses, vectors and statements inside each other.
+pub const MOST_NESTING: u32 = 1000;
+
+/// Turns all loops of a scene may make together, unless set otherwise: minutes of work.
+pub const MOST_TURNS: u64 = 100_000_000;
+
+/// Elements of one array: with more, the memory of an ordinary machine would not do.
+pub const MOST_ELEMENTS: usize = 1 << 26;
+
+/// Characters of one string.
+pub const MOST_CHARACTERS: usize = 1 << 24;
+
+/// Errors that are shown before reading stops.
+pub const MOST_ERRORS: usize = 50;
+
+/// Statements that may fail, shown or not, before reading stops: each turn of a loop can.
+pub const MOST_FAULTS: usize = 10_000;
+
+/// Steps of the way into macros and includes that are shown with an error.
+pub const MOST_STEPS: usize = 12;
+
+/// Parameters of a macro.
+pub const MOST_PARAMETERS: usize = 55;
+
+/// Parameters of a function.
+pub const MOST_FUNCTION_PARAMETERS: usize = 56;
+
+/// Dimensions of an array.
+pub const MOST_DIMENSIONS: usize = 5;

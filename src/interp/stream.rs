@@ -1,0 +1,248 @@
+//! Tokens, one after another, whatever file or macro they stand in.
+//!
+//! [`Vm::peek`] runs the directives and calls the macros it meets, so that readers of statements
+//! never see them. In the blocked zones of docs/spec/language.md 2.2 [`Vm::peek_raw`] is used,
+//! which runs nothing: there a directive looks like a lone `#`.
+
+use super::scope::Place;
+use super::value::Value;
+use super::{Result, Vm, Word};
+use crate::source::Span;
+use crate::syntax::{Node, NodeKind, Punct, Symbol, Tree};
+use std::rc::Rc;
+
+/// A token as readers get it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Token {
+    /// What it is.
+    pub kind: TokenKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TokenKind {
+    /// A reserved word.
+    Word(Word),
+    /// Any other word; never one that stands for a macro, unless read raw.
+    Name(Symbol),
+    /// A number.
+    Number(f64),
+    /// A vector of plain numbers, by its place among those of the current file.
+    Vector(u32),
+    /// A string literal.
+    Text,
+    /// Punctuation. A directive read raw is a [`Punct::Hash`].
+    Punct(Punct),
+    /// The end of the scene.
+    End,
+}
+
+/// What the tokens come from: a file, or the body of a macro within one.
+#[derive(Debug)]
+pub(super) struct Frame {
+    pub tree: Rc<Tree>,
+    /// The next node.
+    pub pos: usize,
+    /// The node to stop before.
+    pub end: usize,
+    /// How it was entered; `None` for the scene file.
+    pub entered: Option<Entered>,
+    /// How many blocks were open before.
+    pub blocks: usize,
+}
+
+/// How a frame was entered.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entered {
+    /// The macro, or `None` for an include file.
+    pub name: Option<Symbol>,
+    /// The call, or the `#include`.
+    pub span: Span,
+}
+
+
+impl Vm<'_> {
+    /// The next token, without taking it. Directives before it are run, macros are expanded, and
+    /// the subscripts of an array element are evaluated.
+    #[inline]
+    pub fn peek(&mut self) -> Result<Token> {
+        match self.ahead {
+            Some(token) => Ok(token),
+            None => self.advance(),
+        }
+    }
+
+    /// Takes the next token.
+    #[inline]
+    pub fn next(&mut self) -> Result<Token> {
+        let token = self.peek()?;
+        self.take(token);
+        Ok(token)
+    }
+
+    /// Takes the token that was last peeked.
+    #[inline]
+    pub(super) fn take(&mut self, token: Token) {
+        self.ahead = None;
+        self.last = token.span;
+        match token.kind {
+            TokenKind::Punct(Punct::OpenBrace) => self.depth += 1,
+            TokenKind::Punct(Punct::CloseBrace) => self.depth -= 1,
+            _ => {}
+        }
+    }
+
+    /// The next token without running anything.
+    pub fn peek_raw(&mut self) -> Token {
+        if let Some(token) = self.ahead {
+            return token;
+        }
+        let Some((node, span)) = self.node() else {
+            return Token { kind: TokenKind::End, span: self.end_span() };
+        };
+        let kind = match node.kind {
+            NodeKind::Directive(..) => return Token { kind: TokenKind::Punct(Punct::Hash), span },
+            NodeKind::Word(symbol) => match Word::of(symbol) {
+                Some(word) => TokenKind::Word(word),
+                None => return Token { kind: TokenKind::Name(symbol), span },
+            },
+            NodeKind::Punct(Punct::Hash) => return Token { kind: TokenKind::Punct(Punct::Hash), span },
+            NodeKind::Number(index) => TokenKind::Number(self.frame.tree.numbers[index as usize]),
+            NodeKind::Vector(index) => TokenKind::Vector(index),
+            NodeKind::Text => TokenKind::Text,
+            NodeKind::Punct(punct) => TokenKind::Punct(punct),
+            NodeKind::Error(_) => TokenKind::End,
+        };
+        let token = Token { kind, span };
+        self.frame.pos += 1;
+        self.ahead = Some(token);
+        token
+    }
+
+    /// Takes the next token without running anything.
+    pub fn next_raw(&mut self) -> Token {
+        let token = self.peek_raw();
+        if self.ahead.is_none() && token.kind != TokenKind::End {
+            self.frame.pos += 1;
+        }
+        self.take(token);
+        token
+    }
+
+    /// The node at hand: frames that have ended are left, except the scene file.
+    pub(super) fn node(&mut self) -> Option<(Node, Span)> {
+        loop {
+            if self.frame.pos < self.frame.end {
+                let node = self.frame.tree.nodes[self.frame.pos];
+                if let NodeKind::Error(_) = node.kind {
+                    // It was reported when the file was read.
+                    self.frame.pos += 1;
+                    continue;
+                }
+                let span = Span { file: self.frame.tree.file, start: node.start, end: node.end };
+                return Some((node, span));
+            }
+            if !self.leave_frame() {
+                return None;
+            }
+        }
+    }
+
+    /// Finds the next token and keeps it in `ahead`.
+    fn advance(&mut self) -> Result<Token> {
+        loop {
+            let Some((node, span)) = self.node() else {
+                let token = Token { kind: TokenKind::End, span: self.end_span() };
+                self.ahead = Some(token);
+                return Ok(token);
+            };
+            self.frame.pos += 1;
+            let kind = match node.kind {
+                NodeKind::Word(symbol) => match Word::of(symbol) {
+                    Some(word) => TokenKind::Word(word),
+                    None => match self.resolve(symbol, span)? {
+                        true => TokenKind::Name(symbol),
+                        false => continue,
+                    },
+                },
+                NodeKind::Number(index) => TokenKind::Number(self.frame.tree.numbers[index as usize]),
+                NodeKind::Vector(index) => TokenKind::Vector(index),
+                NodeKind::Text => TokenKind::Text,
+                NodeKind::Punct(Punct::Hash) => {
+                    // Before anything that is no directive a `#` means nothing.
+                    self.dropped_hash = Some(span);
+                    continue;
+                }
+                NodeKind::Punct(punct) => TokenKind::Punct(punct),
+                NodeKind::Directive(directive, link) => {
+                    self.run(directive, link, span)?;
+                    // A directive may have looked one token ahead.
+                    match self.ahead {
+                        Some(token) => return Ok(token),
+                        None => continue,
+                    }
+                }
+                NodeKind::Error(_) => continue,
+            };
+            let token = Token { kind, span };
+            self.ahead = Some(token);
+            return Ok(token);
+        }
+    }
+
+    /// Finds out what a name stands for: calls it and answers `false` if it is a macro, else
+    /// leaves its place in `place`.
+    #[inline]
+    fn resolve(&mut self, symbol: Symbol, span: Span) -> Result<bool> {
+        self.place = None;
+        let Some(place) = self.scopes.find(symbol) else { return Ok(true) };
+        if let Place::Variable(cell) = place {
+            match &*cell.borrow() {
+                Value::Macro(called) => {
+                    let called = Rc::clone(called);
+                    self.note_use(symbol, span);
+                    self.call(symbol, &called, span)?;
+                    return Ok(false);
+                }
+                Value::Array(_) => {}
+                _ => {
+                    self.place = Some(place.clone());
+                    return Ok(true);
+                }
+            }
+        }
+        let place = place.clone();
+        let place = self.element(place, symbol, span)?;
+        self.place = Some(place);
+        Ok(true)
+    }
+
+    /// Leaves a frame that has ended. The scene file is never left.
+    pub(super) fn leave_frame(&mut self) -> bool {
+        let Some(outer) = self.frames.pop() else { return false };
+        let left = std::mem::replace(&mut self.frame, outer);
+        self.scopes.leave();
+        if left.entered.is_some_and(|entered| entered.name.is_some()) {
+            // The body of a macro is balanced, but `#break` may leave it early.
+            self.blocks.truncate(left.blocks);
+        }
+        true
+    }
+
+    /// The place just after the last token of the scene.
+    fn end_span(&self) -> Span {
+        self.frame.tree.span(self.frame.end)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_token_takes_32_bytes() {
+        assert_eq!(size_of::<Token>(), 32);
+    }
+}
