@@ -13,3 +13,5 @@ pub mod scene;
 pub mod source;
 pub mod syntax;
 pub mod world;
+
+pub use interp::check::{Checked, check};

@@ -12,7 +12,11 @@ const PLAIN_WIDTH: usize = 100;
 
 /// The report for a terminal, `width` columns wide, with colours.
 pub fn graphical(diagnostic: &Diagnostic, sources: &Sources, width: usize) -> String {
-    report(diagnostic, sources, GraphicalReportHandler::new_themed(GraphicalTheme::unicode()).with_width(width))
+    report(
+        diagnostic,
+        sources,
+        GraphicalReportHandler::new_themed(GraphicalTheme::unicode()).with_width(width),
+    )
 }
 
 /// The report without colour and of fixed width: the same on every machine.
@@ -41,7 +45,8 @@ pub fn line(diagnostic: &Diagnostic, sources: &Sources) -> String {
 pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> String {
     let place = |span: Span| {
         let source = sources.get(span.file);
-        let ((line, column), (end_line, end_column)) = (source.position(span.start), source.position(span.end));
+        let ((line, column), (end_line, end_column)) =
+            (source.position(span.start), source.position(span.end));
         serde_json::json!({
             "file": source.name, "line": line, "column": column,
             "end_line": end_line, "end_column": end_column,

@@ -21,7 +21,9 @@ impl Vm<'_> {
         }
         self.next()?;
         if condition.n != 1 && n <= 1 {
-            return Err(self.error(start.to(self.last), "the condition of `?` is a vector").help("compare one component"));
+            return Err(self
+                .error(start.to(self.last), "the condition of `?` is a vector")
+                .help("compare one component"));
         }
         let yes = self.full(n)?;
         if self.operator()? != Some(Punct::Colon) {
@@ -155,7 +157,9 @@ impl Vm<'_> {
         self.take(token);
         if index >= usize::from(value.n) {
             let found = Value::from(value).kind();
-            return Err(self.error(point.to(token.span), format!("{found} has no component `{}`", word.text())));
+            return Err(
+                self.error(point.to(token.span), format!("{found} has no component `{}`", word.text()))
+            );
         }
         Ok(Tuple::float(value.c[index]).promoted(n))
     }
@@ -197,7 +201,9 @@ impl Vm<'_> {
                 self.take(token);
                 self.nested(token.span, |vm| vm.inside(|vm| vm.vector_literal(token.span)))
             }
-            TokenKind::Text | TokenKind::Punct(_) | TokenKind::End => Err(self.expected("a number or vector")),
+            TokenKind::Text | TokenKind::Punct(_) | TokenKind::End => {
+                Err(self.expected("a number or vector"))
+            }
         }
     }
 
@@ -224,12 +230,18 @@ impl Vm<'_> {
             }
             let value = self.arith(1)?;
             if value.n != 1 {
-                let fault = self.error(start.span.to(self.last), "a component of a vector has to be a float, not a vector");
+                let fault = self.error(
+                    start.span.to(self.last),
+                    "a component of a vector has to be a float, not a vector",
+                );
                 return Err(fault.help("take one component of it, such as `.x`"));
             }
             tuple.c[usize::from(tuple.n)] = value.c[0];
             tuple.n += 1;
-            if !self.accept_punct(Punct::Comma)? && tuple.n >= 2 && self.peek()?.kind == TokenKind::Punct(Punct::GreaterEqual) {
+            if !self.accept_punct(Punct::Comma)?
+                && tuple.n >= 2
+                && self.peek()?.kind == TokenKind::Punct(Punct::GreaterEqual)
+            {
                 let fault = self.expected("`>`");
                 return Err(fault.help("`>=` is one operator: put a space before the `=`"));
             }
@@ -243,38 +255,44 @@ impl Vm<'_> {
 
     /// Reads a name as an operand: a variable, or the call of a function or spline.
     fn named(&mut self, symbol: Symbol, span: Span, n: u8) -> Result<Tuple> {
-        let called = match self.place.as_ref().map(Place::look) {
-            None => return Err(self.unknown_name()),
-            Some(None) => return Err(self.unset_element(span)),
-            Some(Some(value)) => match &*value {
-                Value::Float(f) => Err(Tuple::float(*f).promoted(n)),
-                Value::Function(_) | Value::Spline(_) => Ok(value.clone()),
-                Value::Poisoned => return Err(Fault::reported()),
-                other => match other.tuple() {
-                    Some(tuple) => Err(tuple),
-                    None => {
-                        drop(value);
-                        return Err(self.expected("a number or vector"));
-                    }
-                },
+        let value = match &self.place {
+            Some(Place::Variable(cell)) => match &*cell.borrow() {
+                // By far the most frequent, so no copy is made for it.
+                Value::Float(value) => Ok(*value),
+                value => Err(Some(value.clone())),
+            },
+            Some(element) => Err(element.get()),
+            None => return Err(self.expected("a number or vector")),
+        };
+        let tuple = match &value {
+            Ok(value) => Tuple::float(*value).promoted(n),
+            Err(None) => return Err(self.unset_element(span)),
+            Err(Some(Value::Poisoned)) => return Err(Fault::reported()),
+            Err(Some(called @ (Value::Function(_) | Value::Spline(_)))) => {
+                self.used(symbol, span);
+                return self
+                    .inside(|vm| builtin::probe::call(vm, called, symbol, span))
+                    .map(|value| value.promoted(n));
+            }
+            Err(Some(other)) => match other.tuple() {
+                Some(tuple) => tuple.promoted(n),
+                None => return Err(self.expected("a number or vector")),
             },
         };
+        self.used(symbol, span);
+        Ok(tuple)
+    }
+
+    /// Takes the name that was peeked.
+    fn used(&mut self, symbol: Symbol, span: Span) {
         self.note_use(symbol, span);
         self.ahead = None;
         self.last = span;
-        match called {
-            Err(tuple) => Ok(tuple),
-            Ok(value) => self.inside(|vm| builtin::probe::call(vm, &value, symbol, span)).map(|value| value.promoted(n)),
-        }
-    }
-
-    /// The error for a name without a value.
-    fn unknown_name(&mut self) -> Fault {
-        self.expected("a number or vector")
     }
 
     pub(super) fn unset_element(&mut self, span: Span) -> Fault {
-        self.error(span, "this element of the array was never set").help("assign it with `#declare` first, or test it with `#ifdef`")
+        self.error(span, "this element of the array was never set")
+            .help("assign it with `#declare` first, or test it with `#ifdef`")
     }
 
     /// The operator at hand, if it is punctuation. In a blocked zone nothing runs to find it.

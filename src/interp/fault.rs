@@ -19,6 +19,11 @@ impl Fault {
         Fault(None)
     }
 
+    /// The error a diagnostic tells of.
+    pub fn from_diagnostic(diagnostic: Diagnostic) -> Fault {
+        Fault(Some(Box::new(diagnostic)))
+    }
+
     /// Says how to mend it.
     pub fn help(mut self, text: impl Into<String>) -> Fault {
         if let Some(diagnostic) = &mut self.0 {
@@ -39,12 +44,6 @@ impl Fault {
     pub fn see(mut self, span: Span, text: impl Into<String>) -> Fault {
         self.0 = self.0.map(|diagnostic| Box::new(diagnostic.see(span, text)));
         self
-    }
-}
-
-impl<T> From<Fault> for Result<T> {
-    fn from(fault: Fault) -> Result<T> {
-        Err(fault)
     }
 }
 

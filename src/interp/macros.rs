@@ -45,7 +45,9 @@ impl Vm<'_> {
                         span.to(token.span),
                         format!("macro `{name}` takes {wanted} argument{plural}, but {given} given"),
                     );
-                    return Err(fault.label(format!("no value for `{missing}`")).see(called.span, "the macro"));
+                    return Err(fault
+                        .label(format!("no value for `{missing}`"))
+                        .see(called.span, "the macro"));
                 }
                 arguments.push(vm.read_argument()?);
                 vm.comma()?;

@@ -1,1 +1,312 @@
-//! (being built)
+//! Nodes in, a scene out: runs the language.
+//!
+//! - [`interpret`] reads a whole scene. What it has to say goes to a [`Sink`]; one run finds as
+//!   many independent errors as it can.
+//! - A [`Vm`] is the state of a run. Readers of statements take tokens from it; by the time they
+//!   see one, directives have run and macros are expanded. Scopes, arms and loops are no concern
+//!   of theirs, nor is where a brace was written.
+//! - Nothing in a scene can make a run last or grow without end: `limits` lists what stops it.
+//!
+//! # How a statement is read
+//!
+//! A reader takes its keyword, the brace, its parameters with optional commas between them, then
+//! items as long as one fits, and the closing brace, which reports whatever did not fit:
+//!
+//! ```ignore
+//! fn sphere(vm: &mut Vm) -> Result<Object> {
+//!     let keyword = vm.next()?;                    // `sphere`: the caller peeked it
+//!     let block = vm.open(keyword)?;               // `{`, or an error that says so
+//!     let center = vm.read_vector()?;              // a DVec3; floats are promoted
+//!     vm.comma()?;                                 // at most one
+//!     let radius = vm.read_float()?;
+//!     let mut object = Object::new(block.span, Shape::Sphere { center, radius });
+//!     loop {
+//!         match vm.peek_word()? {                  // peeking runs directives, takes nothing
+//!             Some(Word::NoShadow) => { vm.next()?; object.flags |= ObjectFlags::NO_SHADOW }
+//!             Some(Word::Hollow) => { vm.next()?; let on = vm.read_flag()?; /* … */ }
+//!             Some(Word::Pigment) => { /* call its reader */ }
+//!             _ => break,
+//!         }
+//!     }
+//!     object.span = block.span.to(vm.close(block)?);
+//!     Ok(object)
+//! }
+//! ```
+//!
+//! - Names: `vm.accept_value(|v| match v { Value::Pigment(p) => Some(p.clone()), _ => None })?`
+//!   takes the name of a pigment, or an array element that is one, and nothing else.
+//! - Errors: `return Err(vm.error(span, "what is wrong").help("how to mend it"))`;
+//!   `Err(vm.expected("a pattern"))` names the token that was found. Warnings: `vm.warn(..)`.
+//! - A reader that calls itself (a CSG in a CSG) goes through [`Vm::nested`], which guards the stack.
+
+pub mod array;
+pub mod builtin;
+pub mod check;
+mod directive;
+mod expr;
+mod fault;
+pub mod file;
+pub mod format;
+mod function;
+pub mod limits;
+pub mod macros;
+mod read;
+mod recover;
+pub mod scope;
+mod spline;
+pub mod statement;
+pub mod stream;
+pub mod tuple;
+pub mod value;
+mod word;
+
+pub use fault::{Fault, Result};
+pub use read::Block;
+pub use stream::{Token, TokenKind};
+pub use value::Value;
+pub use word::Word;
+
+use crate::diag::{Diagnostic, Severity, Sink};
+use crate::options::{Declared, LanguageOptions};
+use crate::scene::Scene;
+use crate::source::{FileId, Sources, Span};
+use crate::syntax::{Punct, Symbols, Tree};
+use rustc_hash::{FxHashMap, FxHashSet};
+use scope::{Place, Scopes};
+use std::rc::Rc;
+
+/// How the bytes of string literals are read, `global_settings { charset }`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Charset {
+    /// Bytes above 127 become spaces.
+    #[default]
+    Ascii,
+    /// UTF-8.
+    Utf8,
+    /// As the platform has it, which is UTF-8 too.
+    Sys,
+}
+
+/// The state of a run.
+pub struct Vm<'a> {
+    /// The files.
+    pub sources: &'a mut Sources,
+    /// What is known from outside the scene.
+    pub options: &'a LanguageOptions,
+    /// The `#version` in force, times 100.
+    pub version: i32,
+    /// The encoding of string literals.
+    pub charset: Charset,
+    /// The exponent of the space colors are calculated in, once `assumed_gamma` is known.
+    pub gamma: Option<f64>,
+    /// What readers of statements keep.
+    pub state: statement::State,
+    /// Where the last token that was taken stands.
+    pub last: Span,
+    sink: &'a mut dyn Sink,
+    symbols: Symbols,
+    trees: FxHashMap<FileId, Rc<Tree>>,
+    frame: stream::Frame,
+    frames: Vec<stream::Frame>,
+    blocks: Vec<directive::Open>,
+    scopes: Scopes,
+    random: builtin::random::Random,
+    /// The token that was peeked, and what its name stands for.
+    ahead: Option<Token>,
+    place: Option<Place>,
+    /// Directives at operator positions are not run.
+    blocked: bool,
+    /// A `#` that was no directive, for the help of the error that follows.
+    dropped_hash: Option<Span>,
+    /// Braces that are open.
+    depth: i32,
+    /// Levels of nesting of what is being read.
+    nesting: u32,
+    turns: u64,
+    version_written: bool,
+    /// Nothing more is read.
+    stopped: bool,
+    failed: bool,
+    faults: usize,
+    errors: usize,
+    said: FxHashSet<(Option<Span>, String)>,
+}
+
+/// Reads a scene. `None` when it has errors, which the sink has heard of.
+pub fn interpret(
+    main: FileId,
+    sources: &mut Sources,
+    options: &LanguageOptions,
+    sink: &mut dyn Sink,
+) -> Option<Scene> {
+    let mut vm = Vm::new(main, sources, options, sink);
+    vm.run_scene();
+    if vm.failed { None } else { statement::finish(vm) }
+}
+
+impl<'a> Vm<'a> {
+    fn new(
+        main: FileId,
+        sources: &'a mut Sources,
+        options: &'a LanguageOptions,
+        sink: &'a mut dyn Sink,
+    ) -> Vm<'a> {
+        let mut symbols = Word::symbols();
+        let tree = Rc::new(crate::syntax::parse(main, sources.get(main), &mut symbols));
+        let last = Span { file: main, ..Span::default() };
+        let frame = stream::Frame { end: tree.nodes.len(), tree, pos: 0, entered: None, blocks: 0 };
+        let mut vm = Vm {
+            sources,
+            options,
+            version: options.version.map_or(370, |version| version as i32),
+            charset: Charset::default(),
+            gamma: None,
+            state: statement::State::default(),
+            last,
+            sink,
+            symbols,
+            trees: FxHashMap::default(),
+            frame,
+            frames: Vec::new(),
+            blocks: Vec::new(),
+            scopes: Scopes::default(),
+            random: Default::default(),
+            ahead: None,
+            place: None,
+            blocked: false,
+            dropped_hash: None,
+            depth: 0,
+            nesting: 0,
+            turns: 0,
+            version_written: false,
+            stopped: false,
+            failed: false,
+            faults: 0,
+            errors: 0,
+            said: FxHashSet::default(),
+        };
+        vm.declare_options();
+        for error in &Rc::clone(&vm.frame.tree).errors {
+            vm.report(error.clone());
+        }
+        vm
+    }
+
+    /// Binds what the outside declares, docs/spec/language.md 3.7.
+    fn declare_options(&mut self) {
+        let options = self.options;
+        let frames = options.clock.frames;
+        let numbers = [
+            ("image_width", f64::from(options.image_width)),
+            ("image_height", f64::from(options.image_height)),
+            ("frame_number", f64::from(frames.number)),
+            ("initial_frame", f64::from(frames.first)),
+            ("final_frame", f64::from(frames.last)),
+            ("initial_clock", frames.initial_clock),
+            ("final_clock", frames.final_clock),
+            ("clock_delta", frames.clock_delta),
+        ];
+        for (name, value) in numbers {
+            self.declare_name(name, Value::Float(value));
+        }
+        self.declare_name("input_file_name", Value::Text(options.input_file_name.as_str().into()));
+        for (name, declared) in &options.declares {
+            let value = match declared {
+                Declared::Number(number) => Value::Float(*number),
+                Declared::Text(text) => Value::Text(text.as_str().into()),
+            };
+            self.declare_name(name, value);
+        }
+    }
+
+    fn declare_name(&mut self, name: &str, value: Value) {
+        let symbol = self.symbols.intern(name);
+        if Word::of(symbol).is_none() {
+            self.scopes.bind_global(symbol, Place::new(value));
+        }
+    }
+
+    /// Reads the scene from its first token to its last.
+    fn run_scene(&mut self) {
+        while !self.stopped {
+            let depth = self.depth;
+            match self.top_level() {
+                Ok(true) => {}
+                Ok(false) => break,
+                Err(fault) => {
+                    self.settle(fault);
+                    if !self.stopped {
+                        self.skip_statement(depth);
+                    }
+                }
+            }
+        }
+        if !self.stopped {
+            self.check_end();
+        }
+    }
+
+    /// Reads one statement; `false` at the end of the scene.
+    fn top_level(&mut self) -> Result<bool> {
+        let token = self.peek()?;
+        match token.kind {
+            TokenKind::End => Ok(false),
+            TokenKind::Word(word @ (Word::Declare | Word::Include | Word::Version | Word::Default)) => {
+                self.take(token);
+                self.without_hash(word, token.span)?;
+                Ok(true)
+            }
+            _ if statement::read_top_level(self)? => Ok(true),
+            TokenKind::Punct(Punct::Semicolon) => {
+                let fault = self.error(token.span, "a `;` on its own means nothing here");
+                Err(fault.help("it only ends `#declare`, `#local` and `#version`; remove it"))
+            }
+            _ => Err(self.expected("an object or a directive")),
+        }
+    }
+
+    /// A directive without its `#`, which old scenes have at the top level.
+    fn without_hash(&mut self, word: Word, span: Span) -> Result<()> {
+        if word != Word::Default && self.version >= 350 {
+            self.warn(span, format!("`{}` without its `#`", word.text()), "write a `#` before it");
+        }
+        match word {
+            Word::Declare => self.declare(false),
+            Word::Include => self.include(span),
+            Word::Version => self.set_version(span),
+            _ => self.set_default(span),
+        }
+    }
+
+    /// Reports what is still open at the end of the scene.
+    fn check_end(&mut self) {
+        if let Some(open) = self.blocks.last() {
+            let word = self.sources.text(open.span).to_owned();
+            let fault = self.error(open.span, format!("`{word}` without `#end`"));
+            self.settle(fault.help("add `#end` where its last arm ends"));
+        }
+    }
+
+    /// Reads something that can contain itself: checks that it does not go too deep, and that
+    /// there is stack left.
+    pub fn nested<T>(&mut self, span: Span, read: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
+        /// Stack that must be left before going deeper, and how much is added when it is not.
+        const RED_ZONE: usize = 128 << 10;
+        const MORE: usize = 2 << 20;
+        if self.nesting >= limits::MOST_NESTING {
+            let message = format!("nested more than {} levels deep here", limits::MOST_NESTING);
+            return Err(self
+                .fatal(span, message)
+                .help("name parts of it with `#declare`, and use the names"));
+        }
+        self.nesting += 1;
+        let result = stacker::maybe_grow(RED_ZONE, MORE, || read(self));
+        self.nesting -= 1;
+        result
+    }
+
+    /// Notes that something concerns the scene as a whole.
+    pub fn remark(&mut self, severity: Severity, message: &str, help: &str) {
+        self.report(Diagnostic::new(severity, None, message).help(help));
+    }
+}

@@ -95,7 +95,10 @@ impl Vm<'_> {
         let keyword = block.keyword.text();
         if token.kind == TokenKind::End {
             let fault = self.error(token.span, format!("`{keyword} {{` is never closed"));
-            return fault.label("the scene ends here").see(block.open, "this brace").help("add the missing `}`");
+            return fault
+                .label("the scene ends here")
+                .see(block.open, "this brace")
+                .help("add the missing `}`");
         }
         if let TokenKind::Name(_) = token.kind
             && self.is_poisoned()
@@ -141,7 +144,11 @@ impl Vm<'_> {
             TokenKind::Word(word) => format!("`{}`", word.text()),
             TokenKind::Name(symbol) => {
                 let name = self.symbols.name(symbol);
-                let place = self.place.as_ref().filter(|_| self.ahead == Some(token)).or_else(|| self.scopes.find(symbol));
+                let place = self
+                    .place
+                    .as_ref()
+                    .filter(|_| self.ahead == Some(token))
+                    .or_else(|| self.scopes.find(symbol));
                 match place.and_then(Place::get) {
                     Some(value) => format!("`{name}`, {}", value.kind()),
                     None => format!("the unknown name `{name}`"),
@@ -175,7 +182,8 @@ impl Vm<'_> {
         }
         let name = self.symbols.name(symbol).clone();
         let bound: Vec<_> = self.scopes.names().map(|known| self.symbols.name(known).clone()).collect();
-        let known = Word::spellings().chain(bound.iter().map(|name| &**name));
+        let mut known: Vec<&str> = Word::spellings().collect();
+        known.extend(bound.iter().map(|name| &**name));
         closest(&name, known).map(|word| format!("did you mean `{word}`?"))
     }
 
@@ -197,6 +205,11 @@ impl Vm<'_> {
     /// Whether the name that was peeked has a value with an error.
     fn is_poisoned(&self) -> bool {
         self.place.as_ref().and_then(Place::get).is_some_and(|value| matches!(value, Value::Poisoned))
+    }
+
+    /// How a name is written.
+    pub fn name(&self, symbol: Symbol) -> &str {
+        self.symbols.name(symbol)
     }
 
     /// What a name stands for at present.
@@ -248,7 +261,9 @@ impl Vm<'_> {
             let fault = self.error(start.to(self.last), format!("expected {what}, found {found}"));
             return Err(match n {
                 1 => fault.help("take one component, such as `.x`"),
-                _ if tuple.n == 5 => fault.help("a color cannot stand for a vector; write its components, or declare a vector"),
+                _ if tuple.n == 5 => {
+                    fault.help("a color cannot stand for a vector; write its components, or declare a vector")
+                }
                 _ => fault.help(format!("write {n} components")),
             });
         }
@@ -265,7 +280,9 @@ impl Vm<'_> {
             }
             TokenKind::Word(word) => super::builtin::is_numeric(word),
             TokenKind::Name(_) => match self.place.as_ref().and_then(|place| place.look()) {
-                Some(value) => value.tuple().is_some() || matches!(*value, Value::Function(_) | Value::Spline(_)),
+                Some(value) => {
+                    value.tuple().is_some() || matches!(*value, Value::Function(_) | Value::Spline(_))
+                }
                 None => false,
             },
             TokenKind::Text | TokenKind::End => false,

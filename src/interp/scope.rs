@@ -157,7 +157,11 @@ impl Scopes {
 
     /// Every name that is bound.
     pub fn names(&self) -> impl Iterator<Item = Symbol> {
-        self.stacks.iter().enumerate().filter(|(_, stack)| !stack.is_empty()).map(|(index, _)| Symbol(index as u32))
+        self.stacks
+            .iter()
+            .enumerate()
+            .filter(|(_, stack)| !stack.is_empty())
+            .map(|(index, _)| Symbol(index as u32))
     }
 
     /// Marks a name as deprecated.

@@ -62,7 +62,6 @@ pub(super) struct Entered {
     pub span: Span,
 }
 
-
 impl Vm<'_> {
     /// The next token, without taking it. Directives before it are run, macros are expanded, and
     /// the subscripts of an array element are evaluated.
@@ -198,24 +197,24 @@ impl Vm<'_> {
     fn resolve(&mut self, symbol: Symbol, span: Span) -> Result<bool> {
         self.place = None;
         let Some(place) = self.scopes.find(symbol) else { return Ok(true) };
-        if let Place::Variable(cell) = place {
-            match &*cell.borrow() {
-                Value::Macro(called) => {
-                    let called = Rc::clone(called);
-                    self.note_use(symbol, span);
-                    self.call(symbol, &called, span)?;
-                    return Ok(false);
-                }
-                Value::Array(_) => {}
-                _ => {
-                    self.place = Some(place.clone());
-                    return Ok(true);
-                }
+        let array = match place {
+            Place::Variable(cell) => match &*cell.borrow() {
+                Value::Macro(called) => Some(Some(Rc::clone(called))),
+                Value::Array(_) => Some(None),
+                _ => None,
+            },
+            Place::Element(..) => Some(None),
+        };
+        let place = place.clone();
+        match array {
+            None => self.place = Some(place),
+            Some(None) => self.place = Some(self.element(place, symbol, span)?),
+            Some(Some(called)) => {
+                self.note_use(symbol, span);
+                self.call(symbol, &called, span)?;
+                return Ok(false);
             }
         }
-        let place = place.clone();
-        let place = self.element(place, symbol, span)?;
-        self.place = Some(place);
         Ok(true)
     }
 

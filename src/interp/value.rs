@@ -6,7 +6,8 @@ use super::macros::Macro;
 use super::tuple::Tuple;
 use crate::math::{DVec2, Rgbft, Transform};
 use crate::scene::{
-    Camera, Density, Finish, Fog, Function, Interior, Media, Normal, Object, Pigment, Rainbow, SkySphere, Spline, Texture,
+    Camera, Density, Finish, Fog, Function, Interior, Media, Normal, Object, Pigment, Rainbow, SkySphere,
+    Spline, Texture,
 };
 use crate::scene::{interior::Material, pigment::BlendMap};
 use std::rc::Rc;
@@ -137,7 +138,9 @@ mod tests {
 
     #[test]
     fn five_components_are_kept_in_single_precision() {
-        let Value::Color(c) = Value::from(Tuple::new(&[0.1; 5])) else { panic!("five components are a color") };
+        let Value::Color(c) = Value::from(Tuple::new(&[0.1; 5])) else {
+            panic!("five components are a color")
+        };
         assert_eq!(f64::from(c[0]), 0.10000000149011612);
     }
 }

@@ -3,6 +3,7 @@
 pub mod bounds;
 pub mod color;
 pub mod gamma;
+pub mod spline;
 pub mod transform;
 
 pub use bounds::Bounds;

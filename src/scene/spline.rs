@@ -1,5 +1,7 @@
 //! `spline { … }` (docs/spec/language.md 5).
 
+pub use crate::math::spline::SplineKind;
+
 /// A spline through up to five components.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spline {
@@ -9,15 +11,4 @@ pub struct Spline {
     pub points: Vec<(f64, [f64; 5])>,
     /// Components in use, 2 … 5.
     pub size: usize,
-}
-
-/// How the points of a [`Spline`] are joined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-#[expect(missing_docs, reason = "the language's own words")]
-pub enum SplineKind {
-    #[default]
-    Linear,
-    Quadratic,
-    Cubic,
-    Natural,
 }

@@ -65,7 +65,8 @@ impl Source {
 
     /// Whether the file is something else than text, such as a picture.
     pub fn is_binary(&self) -> bool {
-        let odd = |c: &char| c.is_control() && !matches!(c, '\t' | '\n' | '\r' | '\u{b}' | '\u{c}' | '\u{1a}');
+        let odd =
+            |c: &char| c.is_control() && !matches!(c, '\t' | '\n' | '\r' | '\u{b}' | '\u{c}' | '\u{1a}');
         let (mut seen, mut controls) = (0, 0);
         for c in self.text.chars().take(512) {
             seen += 1;
@@ -107,7 +108,10 @@ impl Sources {
     pub fn include(&mut self, name: &str) -> Result<FileId, Missing> {
         let (path, bytes) = self.library.open(name, FileKind::Include)?;
         let source = Source::new(name, path, bytes);
-        let known = self.files.iter().position(|f| f.path == source.path && f.text == source.text && f.name == source.name);
+        let known = self
+            .files
+            .iter()
+            .position(|f| f.path == source.path && f.text == source.text && f.name == source.name);
         match known {
             Some(index) => Ok(FileId(index as u32)),
             None => Ok(self.add(source)),

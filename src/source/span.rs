@@ -19,11 +19,7 @@ impl Span {
     /// From the start of this span to the end of the other, or this one when they lie in
     /// different files or the other ends earlier.
     pub fn to(self, other: Span) -> Span {
-        if self.file == other.file && other.end >= self.end {
-            Span { end: other.end, ..self }
-        } else {
-            self
-        }
+        if self.file == other.file && other.end >= self.end { Span { end: other.end, ..self } } else { self }
     }
 
     /// The empty span just after this one.

@@ -41,9 +41,11 @@ impl Vm<'_> {
     pub fn at_color(&mut self) -> Result<bool> {
         Ok(match self.peek()?.kind {
             TokenKind::Word(word) => is_keyword(word),
-            TokenKind::Name(_) => {
-                self.place.as_ref().and_then(|place| place.look()).is_some_and(|value| matches!(*value, Value::Color(_)))
-            }
+            TokenKind::Name(_) => self
+                .place
+                .as_ref()
+                .and_then(|place| place.look())
+                .is_some_and(|value| matches!(*value, Value::Color(_))),
             _ => false,
         })
     }
@@ -59,7 +61,11 @@ impl Vm<'_> {
         let start = self.peek()?.span;
         let [r, g, b, filter, transmit] = self.read_color_sized(3)?.c;
         if filter != 0.0 || transmit != 0.0 {
-            self.warn(start.to(self.last), "filter and transmit mean nothing here", "write the color with `rgb`");
+            self.warn(
+                start.to(self.last),
+                "filter and transmit mean nothing here",
+                "write the color with `rgb`",
+            );
         }
         Ok([r, g, b])
     }
@@ -83,7 +89,11 @@ impl Vm<'_> {
             } else if let Some(index) = component(word) {
                 self.take(token);
                 if word == Word::Alpha {
-                    self.warn(token.span, "`alpha` is an old word for `filter`", "write `filter`, or `transmit` if that was meant");
+                    self.warn(
+                        token.span,
+                        "`alpha` is an old word for `filter`",
+                        "write `filter`, or `transmit` if that was meant",
+                    );
                 }
                 c[index] = self.read_float()?;
             } else {

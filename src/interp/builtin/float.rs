@@ -15,9 +15,37 @@ pub fn is_function(word: Word) -> bool {
     of_one(word).is_some()
         || matches!(
             word,
-            Asin | Acos | Sqrt | Ln | Log | Atan2 | Pow | Div | Mod | Min | Max | Select | BitwiseAnd | BitwiseOr | BitwiseXor
-                | Vdot | Vlength | Asc | Strlen | Strcmp | Val | FileExists | Defined | Dimensions | DimensionSize | Inside
-                | Rand | Seed | Clock | ClockOn | Version | Now
+            Asin | Acos
+                | Sqrt
+                | Ln
+                | Log
+                | Atan2
+                | Pow
+                | Div
+                | Mod
+                | Min
+                | Max
+                | Select
+                | BitwiseAnd
+                | BitwiseOr
+                | BitwiseXor
+                | Vdot
+                | Vlength
+                | Asc
+                | Strlen
+                | Strcmp
+                | Val
+                | FileExists
+                | Defined
+                | Dimensions
+                | DimensionSize
+                | Inside
+                | Rand
+                | Seed
+                | Clock
+                | ClockOn
+                | Version
+                | Now
         )
 }
 
@@ -52,20 +80,26 @@ pub fn call(vm: &mut Vm, word: Word, span: Span) -> Result<f64> {
     }
     let name = word.text();
     Ok(match word {
-        Word::Clock => f64::from(vm.settings.clock.unwrap_or(0.0) as f32),
-        Word::ClockOn => f64::from(u8::from(vm.settings.clock.is_some())),
+        Word::Clock => vm.options.clock.value,
+        Word::ClockOn => f64::from(u8::from(vm.options.clock.chosen)),
         Word::Version => f64::from(vm.version) / 100.0,
         Word::Now => super::string::days_now(),
         Word::Asin | Word::Acos => {
             let mut a = one(vm)?;
             if a.abs() > 1.0 {
-                vm.warn(span.to(vm.last), format!("`{name}` of {a}, which is outside -1 to 1"), "the nearer end is taken");
+                vm.warn(
+                    span.to(vm.last),
+                    format!("`{name}` of {a}, which is outside -1 to 1"),
+                    "the nearer end is taken",
+                );
                 a = a.clamp(-1.0, 1.0);
             }
             if word == Word::Asin { a.asin() } else { a.acos() }
         }
         Word::Sqrt => match one(vm)? {
-            a if a < 0.0 => return Err(vm.error(span.to(vm.last), format!("`sqrt` of a negative number, {a}"))),
+            a if a < 0.0 => {
+                return Err(vm.error(span.to(vm.last), format!("`sqrt` of a negative number, {a}")));
+            }
             a => a.sqrt(),
         },
         Word::Ln | Word::Log => match one(vm)? {
@@ -79,7 +113,9 @@ pub fn call(vm: &mut Vm, word: Word, span: Span) -> Result<f64> {
         Word::Atan2 => {
             let [a, b] = several(vm)?;
             if !truth(a) && !truth(b) {
-                return Err(vm.error(span.to(vm.last), "`atan2` of zero and zero").help("a point at the origin has no angle"));
+                return Err(vm
+                    .error(span.to(vm.last), "`atan2` of zero and zero")
+                    .help("a point at the origin has no angle"));
             }
             a.atan2(b)
         }
@@ -133,7 +169,10 @@ pub fn call(vm: &mut Vm, word: Word, span: Span) -> Result<f64> {
         Word::DimensionSize => array_sizes(vm, |vm, sizes| {
             vm.comma()?;
             let n = vm.read_int()?;
-            Ok(usize::try_from(n).ok().and_then(|n| sizes.get(n.wrapping_sub(1))).map_or(0.0, |&size| size as f64))
+            Ok(usize::try_from(n)
+                .ok()
+                .and_then(|n| sizes.get(n.wrapping_sub(1)))
+                .map_or(0.0, |&size| size as f64))
         })?,
         Word::Inside => super::probe::inside(vm, span)?,
         Word::Rand => {
@@ -142,7 +181,9 @@ pub fn call(vm: &mut Vm, word: Word, span: Span) -> Result<f64> {
                 Some(value) => value,
                 None => {
                     let fault = vm.error(span.to(vm.last), format!("there is no random stream {k}"));
-                    return Err(fault.help("`rand` needs a stream made by `seed`, such as `#declare R = seed(1);`"));
+                    return Err(
+                        fault.help("`rand` needs a stream made by `seed`, such as `#declare R = seed(1);`")
+                    );
                 }
             }
         }
@@ -230,13 +271,16 @@ impl Vm<'_> {
             TokenKind::Name(symbol) => symbol,
             _ => return Err(self.expected_at(token, &format!("a name after `{}(`", asking.text()))),
         };
-        let bracket = matches!(self.node(), Some((node, _)) if node.kind == NodeKind::Punct(Punct::OpenBracket));
+        let bracket =
+            matches!(self.node(), Some((node, _)) if node.kind == NodeKind::Punct(Punct::OpenBracket));
         match self.scopes.find(symbol).cloned() {
             None => Ok(false),
             Some(place) if bracket => {
                 let array = matches!(place.get(), Some(Value::Array(_)));
                 if !array {
-                    return Err(self.error(token.span, format!("`{}` is no array", self.symbols.name(symbol))));
+                    return Err(
+                        self.error(token.span, format!("`{}` is no array", self.symbols.name(symbol)))
+                    );
                 }
                 let place = self.element(place, symbol, token.span)?;
                 Ok(place.look().is_some())

@@ -52,7 +52,7 @@ pub fn call(vm: &mut Vm, word: Word, token: Token) -> Result<Tuple> {
 }
 
 /// Reads the arguments of a function between parentheses: `read` gets to read what is inside.
-pub(super) fn arguments<T>(vm: &mut Vm, read: impl FnOnce(&mut Vm) -> Result<T>) -> Result<T> {
+pub(super) fn arguments<'a, T>(vm: &mut Vm<'a>, read: impl FnOnce(&mut Vm<'a>) -> Result<T>) -> Result<T> {
     let open = vm.expect(Punct::OpenParen)?;
     vm.nested(open, |vm| {
         let value = vm.inside(read)?;

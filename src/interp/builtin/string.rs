@@ -3,11 +3,10 @@
 use super::arguments;
 use crate::interp::format::format_float;
 use crate::interp::limits::MOST_CHARACTERS;
-use crate::interp::stream::{Token, TokenKind};
+use crate::interp::stream::TokenKind;
 use crate::interp::value::Value;
 use crate::interp::{Charset, Fault, Result, Vm, Word};
 use crate::source::Span;
-use crate::syntax::Punct;
 use std::rc::Rc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -35,9 +34,11 @@ impl Vm<'_> {
         Ok(match self.peek()?.kind {
             TokenKind::Text => true,
             TokenKind::Word(word) => is_function(word),
-            TokenKind::Name(_) => {
-                self.place.as_ref().and_then(|place| place.look()).is_some_and(|value| matches!(*value, Value::Text(_)))
-            }
+            TokenKind::Name(_) => self
+                .place
+                .as_ref()
+                .and_then(|place| place.look())
+                .is_some_and(|value| matches!(*value, Value::Text(_))),
             _ => false,
         })
     }
@@ -80,7 +81,7 @@ impl Vm<'_> {
     }
 
     /// The value of a literal.
-    fn literal(&mut self, span: Span) -> Result<Rc<str>> {
+    pub(in crate::interp) fn literal(&mut self, span: Span) -> Result<Rc<str>> {
         let text = self.sources.text(span);
         let inner = &text[1..text.len() - 1];
         let plain = inner.is_ascii();
@@ -105,7 +106,11 @@ impl Vm<'_> {
             }
         };
         if bad > 0 {
-            self.possible(span, "this string is not plain ASCII", "say `global_settings { charset utf8 }` first; each other byte is read as a space");
+            self.possible(
+                span,
+                "this string is not plain ASCII",
+                "say `global_settings { charset utf8 }` first; each other byte is read as a space",
+            );
         }
         unescape(&inner).map(Rc::from).map_err(|(at, message)| {
             let start = span.start + 1 + at as u32;
@@ -135,9 +140,11 @@ fn unescape(text: &str) -> Result<String, (usize, String)> {
             'r' => '\r',
             '\'' | '\\' | '"' => escape,
             'u' => {
-                let digits = chars.as_str().get(..4).ok_or((at, "`\\u` needs four hexadecimal digits".to_owned()))?;
+                let digits =
+                    chars.as_str().get(..4).ok_or((at, "`\\u` needs four hexadecimal digits".to_owned()))?;
                 chars.nth(3);
-                let code = u32::from_str_radix(digits, 16).map_err(|_| (at, format!("`\\u{digits}` is no hexadecimal number")))?;
+                let code = u32::from_str_radix(digits, 16)
+                    .map_err(|_| (at, format!("`\\u{digits}` is no hexadecimal number")))?;
                 char::from_u32(code).unwrap_or('\u{fffd}')
             }
             _ => return Err((at, format!("there is no escape `\\{escape}`"))),
@@ -153,7 +160,9 @@ fn call(vm: &mut Vm, word: Word, span: Span) -> Result<Rc<str>> {
             let code = arguments(vm, Vm::read_float)?;
             match u16::try_from(code as i64) {
                 Ok(code) => char::from_u32(code.into()).unwrap_or('\u{fffd}').to_string(),
-                Err(_) => return Err(vm.error(span.to(vm.last), format!("`chr` takes 0 to 65535, not {code}"))),
+                Err(_) => {
+                    return Err(vm.error(span.to(vm.last), format!("`chr` takes 0 to 65535, not {code}")));
+                }
             }
         }
         Word::Concat => arguments(vm, |vm| {
@@ -178,7 +187,8 @@ fn call(vm: &mut Vm, word: Word, span: Span) -> Result<Rc<str>> {
             vm.comma()?;
             let separator = vm.read_string()?;
             let (length, precision) = layout(vm)?;
-            let parts: Vec<String> = value.c[..n as usize].iter().map(|&c| format_float(c, length, precision)).collect();
+            let parts: Vec<String> =
+                value.c[..n as usize].iter().map(|&c| format_float(c, length, precision)).collect();
             Ok(parts.join(&separator))
         })?,
         Word::Substr => {
@@ -191,7 +201,8 @@ fn call(vm: &mut Vm, word: Word, span: Span) -> Result<Rc<str>> {
             })?;
             let length = text.chars().count() as i64;
             if start < 0 || count < 0 || start + count - 1 > length {
-                let message = format!("`substr` from {start}, {count} long, reaches outside a string of {length}");
+                let message =
+                    format!("`substr` from {start}, {count} long, reaches outside a string of {length}");
                 return Err(vm.error(span.to(vm.last), message).help("positions count from 1"));
             }
             text.chars().skip((start - 1).max(0) as usize).take(count as usize).collect()
@@ -224,7 +235,9 @@ fn datetime(vm: &mut Vm, span: Span) -> Result<String> {
     })?;
     let fail = |vm: &mut Vm, message: &str| -> Fault { vm.error(span.to(vm.last), message) };
     match crate::interp::format::format_date(days, &format) {
-        Some(text) if text.is_empty() || text.len() > 200 => Err(fail(vm, "`datetime` has to give 1 to 200 characters")),
+        Some(text) if text.is_empty() || text.len() > 200 => {
+            Err(fail(vm, "`datetime` has to give 1 to 200 characters"))
+        }
         Some(text) => Ok(text),
         None => Err(fail(vm, "`datetime` cannot be written this way")),
     }
@@ -247,7 +260,10 @@ pub fn leading_number(text: &str) -> f64 {
     let lower = digits.to_ascii_lowercase();
     if let Some(hex) = lower.strip_prefix("0x") {
         let end = hex.find(|c: char| !c.is_ascii_hexdigit()).unwrap_or(hex.len());
-        return sign * hex[..end].bytes().fold(0.0, |n, b| n * 16.0 + f64::from(char::from(b).to_digit(16).unwrap_or(0)));
+        return sign
+            * hex[..end]
+                .bytes()
+                .fold(0.0, |n, b| n * 16.0 + f64::from(char::from(b).to_digit(16).unwrap_or(0)));
     }
     if lower.starts_with("inf") {
         return sign * f64::INFINITY;
@@ -256,8 +272,8 @@ pub fn leading_number(text: &str) -> f64 {
         return f64::NAN;
     }
     // The longest start that is a number: at most sign, digits, point, digits, exponent.
-    let end = digits.find(|c: char| !matches!(c, '0'..='9' | '.' | 'e' | 'E' | '+' | '-')).unwrap_or(digits.len());
+    let end =
+        digits.find(|c: char| !matches!(c, '0'..='9' | '.' | 'e' | 'E' | '+' | '-')).unwrap_or(digits.len());
     let number = (1..=end).rev().find_map(|end| digits[..end].parse::<f64>().ok());
     number.map_or(0.0, |number| sign * number)
 }
-

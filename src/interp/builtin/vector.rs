@@ -23,7 +23,11 @@ pub fn call(vm: &mut Vm, word: Word, span: Span) -> Result<Tuple> {
             let v = arguments(vm, Vm::read_vector)?;
             if v == DVec3::ZERO {
                 if vm.version >= 350 {
-                    vm.possible(span.to(vm.last), "`vnormalize` of the zero vector", "it has no direction; the result is zero");
+                    vm.possible(
+                        span.to(vm.last),
+                        "`vnormalize` of the zero vector",
+                        "it has no direction; the result is zero",
+                    );
                 }
                 v
             } else {

@@ -14,8 +14,8 @@ use crate::syntax::{Directive, NO_LINK, NodeKind, Punct, Symbol};
 /// What kind of directive is open, and what its `#end` has to know.
 #[derive(Debug)]
 pub(in crate::interp) enum BlockKind {
-    /// An arm of a conditional runs; the link leads to the next arm.
-    Arm { link: u32, last: bool },
+    /// An arm of a conditional runs; whether it is the `#else`.
+    Arm { last: bool },
     /// A clause of a `#switch` runs.
     Clause { link: u32 },
     /// `#while`: where the condition starts.
@@ -54,7 +54,7 @@ impl Vm<'_> {
                 _ => return Err(self.stray(directive, at)),
             }
         }
-        self.push_block(BlockKind::Arm { link, last }, span)
+        self.push_block(BlockKind::Arm { last }, span)
     }
 
     /// Leaves out a whole block because its condition has an error.
@@ -119,7 +119,7 @@ impl Vm<'_> {
     }
 
     /// The node of the `#end` a chain of arms leads to, or the end of the file.
-    pub(super) fn end_of(&self, link: usize) -> usize {
+    pub(in crate::interp) fn end_of(&self, link: usize) -> usize {
         let mut at = link;
         while let Some(node) = self.frame.tree.nodes.get(at) {
             match node.kind {
@@ -177,11 +177,11 @@ impl Vm<'_> {
         let Some(open) = self.blocks.last_mut() else { return Err(self.stray(directive, span)) };
         let opener = open.span;
         match (&mut open.kind, directive) {
-            (BlockKind::Arm { last: false, .. }, Directive::Elseif | Directive::Else) => {
+            (BlockKind::Arm { last: false }, Directive::Elseif | Directive::Else) => {
                 self.blocks.pop();
                 self.skip_block(link, opener)
             }
-            (BlockKind::Arm { last: true, .. }, Directive::Elseif | Directive::Else) => {
+            (BlockKind::Arm { last: true }, Directive::Elseif | Directive::Else) => {
                 let word = directive.text();
                 let fault = self.error(span, format!("`#{word}` after `#else`"));
                 Err(fault.see(opener, "of this directive").help("`#else` is the last arm"))
@@ -300,7 +300,9 @@ impl Vm<'_> {
                 Some((BlockKind::Clause { link }, opener)) => return self.skip_block(link, opener),
                 None => {
                     let fault = self.error(span, "`#break` outside of a loop, `#case` or macro");
-                    return Err(fault.help("it leaves `#while`, `#for`, a `#case` or a macro; an `#if` alone is none of these"));
+                    return Err(fault.help(
+                        "it leaves `#while`, `#for`, a `#case` or a macro; an `#if` alone is none of these",
+                    ));
                 }
             }
         }
@@ -327,7 +329,7 @@ impl Vm<'_> {
     }
 
     /// Opens a block that some `#end` will close.
-    pub(super) fn push_block(&mut self, kind: BlockKind, span: Span) -> Result<()> {
+    pub(in crate::interp) fn push_block(&mut self, kind: BlockKind, span: Span) -> Result<()> {
         if self.blocks.len() >= crate::interp::limits::MOST_BLOCKS {
             return Err(self.fatal(span, "too many directives are open inside each other"));
         }

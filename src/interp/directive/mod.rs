@@ -36,11 +36,13 @@ impl Vm<'_> {
 
     fn dispatch(&mut self, directive: Directive, link: u32, span: Span) -> Result<()> {
         match directive {
-            Directive::Declare => self.declare(span, false),
-            Directive::Local => self.declare(span, true),
+            Directive::Declare => self.declare(false),
+            Directive::Local => self.declare(true),
             Directive::Undef => self.undef(),
             Directive::If | Directive::Ifdef | Directive::Ifndef => self.branch(directive, link, span),
-            Directive::Elseif | Directive::Else | Directive::Case | Directive::Range => self.next_arm(directive, link, span),
+            Directive::Elseif | Directive::Else | Directive::Case | Directive::Range => {
+                self.next_arm(directive, link, span)
+            }
             Directive::End => self.end(span),
             Directive::While => self.repeat_while(link, span),
             Directive::For => self.repeat_for(link, span),

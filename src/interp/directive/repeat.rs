@@ -1,6 +1,7 @@
 //! `#while` and `#for`, docs/spec/language.md 2.5. The body is read in place, turn after turn.
 
 use super::BlockKind;
+use crate::interp::limits::MOST_TURNS;
 use crate::interp::scope::Place;
 use crate::interp::stream::TokenKind;
 use crate::interp::tuple::truth;
@@ -28,7 +29,9 @@ impl Vm<'_> {
 
     /// `#end` of a `#while`: the condition is read again.
     pub(super) fn end_while(&mut self) -> Result<()> {
-        let Some(BlockKind::While { condition, end }) = self.blocks.last().map(|open| &open.kind) else { return Ok(()) };
+        let Some(BlockKind::While { condition, end }) = self.blocks.last().map(|open| &open.kind) else {
+            return Ok(());
+        };
         let (condition, end) = (*condition, *end);
         let span = self.blocks.last().map_or(self.last, |open| open.span);
         self.turn(span)?;
@@ -69,7 +72,10 @@ impl Vm<'_> {
             return Err(fault.help("write `#for (I, 1, 10)`; reserved words cannot count"));
         };
         if let Some(value @ (Value::Macro(_) | Value::Function(_))) = self.lookup(name) {
-            return Err(self.error(token.span, format!("`{}` is {} and cannot count", self.symbols.name(name), value.kind())));
+            return Err(self.error(
+                token.span,
+                format!("`{}` is {} and cannot count", self.symbols.name(name), value.kind()),
+            ));
         }
         self.comma()?;
         let first = self.read_float()?;
@@ -102,9 +108,14 @@ impl Vm<'_> {
         let BlockKind::For { name, last, step, body, end } = open.kind else { return Ok(()) };
         self.turn(span)?;
         let place = self.scopes.find_local(name).cloned();
-        let Some((place, Value::Float(value))) = place.and_then(|place| place.get().map(|value| (place, value))) else {
+        let Some((place, Value::Float(value))) =
+            place.and_then(|place| place.get().map(|value| (place, value)))
+        else {
             self.blocks.pop();
-            let text = format!("`{}` is no number any more at the end of the `#for` that counts with it", self.symbols.name(name));
+            let text = format!(
+                "`{}` is no number any more at the end of the `#for` that counts with it",
+                self.symbols.name(name)
+            );
             let fault = self.error(span, text);
             return Err(fault.help("do not `#undef` it, or give it a value of another kind, in the body"));
         };
@@ -140,8 +151,8 @@ impl Vm<'_> {
     /// Counts a turn of a loop or a call of a macro.
     pub(in crate::interp) fn turn(&mut self, span: Span) -> Result<()> {
         self.turns += 1;
-        if self.turns > self.settings.turns {
-            let message = format!("still not done after {} turns of loops", self.settings.turns);
+        if self.turns > MOST_TURNS {
+            let message = format!("still not done after {} turns of loops", MOST_TURNS);
             let fault = self.fatal(span, message).label("the loop that was running");
             return Err(fault.help("does its condition ever become false? `--max-turns` allows more"));
         }

@@ -1,0 +1,53 @@
+//! `#debug`, `#warning`, `#error`, docs/spec/language.md 2.12.
+
+use crate::diag::Stream;
+use crate::interp::{Result, Vm};
+use crate::source::Span;
+use crate::syntax::Directive;
+
+impl Vm<'_> {
+    /// `#debug`, or `#render` and `#statistics`, which have no stream of their own.
+    pub(super) fn debug(&mut self, directive: Directive, span: Span) -> Result<()> {
+        if directive != Directive::Debug {
+            let message = format!("`#{}` writes to the debug stream", directive.text());
+            self.warn(span, message, "write `#debug`");
+        }
+        let text = self.read_message(directive)?;
+        self.sink.text(Stream::Debug, &cut(&text, 200, 156));
+        Ok(())
+    }
+
+    /// `#warning`.
+    pub(super) fn user_warning(&mut self, span: Span) -> Result<()> {
+        let text = self.read_message(Directive::Warning)?;
+        self.warn(span.to(self.last), cut(&text, 160, 124).trim_end().replace('\n', " "), "");
+        Ok(())
+    }
+
+    /// `#error`: the end of the scene.
+    pub(super) fn user_error(&mut self, span: Span) -> Result<()> {
+        let text = self.read_message(Directive::Error)?;
+        let text = cut(&text, 160, 124).trim_end().replace('\n', " ");
+        Err(self.fatal(span.to(self.last), text).label("the scene stops itself here"))
+    }
+
+    fn read_message(&mut self, directive: Directive) -> Result<std::rc::Rc<str>> {
+        if self.at_string()? {
+            return self.read_string();
+        }
+        let fault = self.expected(&format!("a string after `#{}`", directive.text()));
+        Err(match self.at_number()? {
+            true => fault.help("`str` makes a string of a number: `str(X, 0, 3)`"),
+            false => fault,
+        })
+    }
+}
+
+/// The first `shown` characters of a text of more than `most`.
+fn cut(text: &str, most: usize, shown: usize) -> String {
+    if text.chars().count() > most {
+        text.chars().take(shown).chain("...".chars()).collect()
+    } else {
+        text.to_owned()
+    }
+}

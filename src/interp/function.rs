@@ -1,0 +1,522 @@
+//! User functions: `function (parameters) { body }` becomes a tree, docs/spec/language.md 4.
+
+use super::limits::MOST_FUNCTION_PARAMETERS;
+use super::stream::{Token, TokenKind};
+use super::value::Value;
+use super::{Fault, Result, Vm, Word, statement};
+use crate::scene::Function;
+use crate::scene::function::{BinaryOp, Builtin, Expr, FunctionBody};
+use crate::source::Span;
+use crate::syntax::{Punct, Symbol};
+use std::sync::Arc;
+
+/// How many parameters each `internal` function takes after `x, y, z`.
+const INTERNAL: [u8; 79] = [
+    5, 5, 5, 5, 2, 2, 5, 4, 2, 1, 4, 1, 1, 1, 1, 6, 6, 3, 1, 4, 3, 6, 1, 1, 10, 7, 7, 1, 1, 6, 1, 3, 4, 3, 6,
+    1, 1, 4, 1, 6, 5, 1, 1, 1, 4, 1, 3, 0, 1, 1, 7, 5, 6, 1, 1, 1, 3, 0, 6, 6, 4, 1, 5, 4, 6, 1, 4, 7, 2, 0,
+    2, 3, 1, 1, 2, 6, 0, 0, 1,
+];
+
+/// A name in the body of a function.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Variable {
+    /// `x`, `y`, `z`; `u` is `x`, and `v` is `y`.
+    Axis(u8),
+    Name(Symbol),
+}
+
+/// What is known while the body of a function is read.
+struct Body {
+    parameters: Vec<Variable>,
+    /// The names `sum` and `prod` count with, outermost first.
+    running: Vec<Symbol>,
+}
+
+/// An operand: its tree, and what POV-Ray's way of folding constants asks about it.
+struct Operand {
+    expr: Expr,
+    /// A number that was not in parentheses.
+    plain: bool,
+    /// Depends on a parameter.
+    varies: bool,
+}
+
+impl Vm<'_> {
+    /// Reads `function {..}` as a value; the word is peeked.
+    pub(super) fn read_function_value(&mut self) -> Result<Value> {
+        Ok(Value::Function(Arc::new(self.read_function()?)))
+    }
+
+    /// Reads `function (..) {..}`; the word is peeked. Without a list the parameters are x, y, z.
+    pub fn read_function(&mut self) -> Result<Function> {
+        let keyword = self.next()?;
+        let listed = self.peek()?.kind == TokenKind::Punct(Punct::OpenParen);
+        let parameters = match listed {
+            true => self.read_parameters()?,
+            false => (0..3).map(Variable::Axis).collect(),
+        };
+        let count = parameters.len();
+        let block = self.open(keyword)?;
+        let word = self.peek_word()?;
+        let special = match word {
+            Some(word @ (Word::Pattern | Word::Pigment | Word::Transform | Word::Spline)) if listed => {
+                let fault = self.expected("an expression");
+                let word = word.text();
+                return Err(
+                    fault.help(format!("`{word}` in a function has parameters of its own: remove the list"))
+                );
+            }
+            Some(Word::Internal) => Some(self.read_internal()?),
+            Some(Word::Spline) => Some((FunctionBody::Spline(Arc::new(self.read_spline()?)), 1)),
+            Some(word) => statement::read_function_body(self, word)?.map(|body| (body, 3)),
+            None => None,
+        };
+        let (body, parameters) = match special {
+            Some(special) => special,
+            None => {
+                let mut body = Body { parameters, running: Vec::new() };
+                (FunctionBody::Expression(body.expression(self, 0)?.expr), count)
+            }
+        };
+        let end = self.close(block)?;
+        Ok(Function { span: keyword.span.to(end), name: "".into(), parameters, body })
+    }
+
+    fn read_parameters(&mut self) -> Result<Vec<Variable>> {
+        let open = self.next()?.span;
+        let mut parameters = Vec::new();
+        loop {
+            let token = self.peek_raw();
+            let parameter = match token.kind {
+                TokenKind::Punct(Punct::CloseParen) if !parameters.is_empty() => {
+                    self.next_raw();
+                    return Ok(parameters);
+                }
+                TokenKind::Word(word) => axis(word).map(Variable::Axis),
+                TokenKind::Name(symbol) => match self.lookup(symbol) {
+                    None => Some(Variable::Name(symbol)),
+                    Some(Value::Poisoned) => return Err(Fault::reported()),
+                    Some(value) => {
+                        let name = self.symbols.name(symbol).clone();
+                        let message =
+                            format!("the parameter `{name}` is the name of {} already", value.kind());
+                        return Err(self
+                            .error(token.span, message)
+                            .help("parameters of functions need names of their own"));
+                    }
+                },
+                _ => None,
+            };
+            let Some(parameter) = parameter else {
+                let fault = self.expected_at(token, "the name of a parameter");
+                return Err(fault.see(open, "in these parentheses"));
+            };
+            if parameters.len() == MOST_FUNCTION_PARAMETERS {
+                let message = format!("a function has at most {MOST_FUNCTION_PARAMETERS} parameters");
+                return Err(self.error(token.span, message));
+            }
+            self.next_raw();
+            parameters.push(parameter);
+            if self.peek_raw().kind == TokenKind::Punct(Punct::Comma) {
+                self.next_raw();
+            }
+        }
+    }
+
+    fn read_internal(&mut self) -> Result<(FunctionBody, usize)> {
+        self.next()?;
+        let open = self.expect(Punct::OpenParen)?;
+        let start = self.peek()?.span;
+        let number = self.read_float()?;
+        let known = INTERNAL.get(number as usize).filter(|_| number >= 0.0);
+        let Some(&parameters) = known else {
+            let last = INTERNAL.len() - 1;
+            return Err(self.error(
+                start.to(self.last),
+                format!("there is no internal function {number}; the last is {last}"),
+            ));
+        };
+        self.close_paren(open)?;
+        Ok((FunctionBody::Internal(number as u8), 3 + usize::from(parameters)))
+    }
+}
+
+fn axis(word: Word) -> Option<u8> {
+    Some(match word {
+        Word::X | Word::U => 0,
+        Word::Y | Word::V => 1,
+        Word::Z => 2,
+        _ => return None,
+    })
+}
+
+/// The binary operators from the loosest to the tightest.
+fn operator(level: usize, punct: Punct) -> Option<BinaryOp> {
+    Some(match (level, punct) {
+        (0, Punct::Or) => BinaryOp::Or,
+        (1, Punct::And) => BinaryOp::And,
+        (2, Punct::Equal) => BinaryOp::Equal,
+        (2, Punct::NotEqual) => BinaryOp::NotEqual,
+        (2, Punct::Less) => BinaryOp::Less,
+        (2, Punct::LessEqual) => BinaryOp::LessEqual,
+        (2, Punct::Greater) => BinaryOp::Greater,
+        (2, Punct::GreaterEqual) => BinaryOp::GreaterEqual,
+        (3, Punct::Plus) => BinaryOp::Add,
+        (3, Punct::Minus) => BinaryOp::Subtract,
+        (4, Punct::Star) => BinaryOp::Multiply,
+        (4, Punct::Slash) => BinaryOp::Divide,
+        _ => return None,
+    })
+}
+
+const TIGHTEST: usize = 5;
+
+/// What an operator gives for two numbers: comparisons are exact here.
+fn compute(op: BinaryOp, a: f64, b: f64) -> f64 {
+    let number = |holds: bool| f64::from(u8::from(holds));
+    match op {
+        BinaryOp::Add => a + b,
+        BinaryOp::Subtract => a - b,
+        BinaryOp::Multiply => a * b,
+        BinaryOp::Divide => a / b,
+        BinaryOp::Less => number(a < b),
+        BinaryOp::LessEqual => number(a <= b),
+        BinaryOp::Greater => number(a > b),
+        BinaryOp::GreaterEqual => number(a >= b),
+        BinaryOp::Equal => number(a == b),
+        BinaryOp::NotEqual => number(a != b),
+        BinaryOp::And => number(a != 0.0 && b != 0.0),
+        BinaryOp::Or => number(a != 0.0 || b != 0.0),
+    }
+}
+
+/// Least and most arguments of a function that a body can call.
+fn builtin(word: Word) -> Option<(Builtin, usize, usize)> {
+    Some(match word {
+        Word::Abs => (Builtin::Abs, 1, 1),
+        Word::Acos => (Builtin::Acos, 1, 1),
+        Word::Acosh => (Builtin::Acosh, 1, 1),
+        Word::Asin => (Builtin::Asin, 1, 1),
+        Word::Asinh => (Builtin::Asinh, 1, 1),
+        Word::Atan => (Builtin::Atan, 1, 1),
+        Word::Atan2 => (Builtin::Atan2, 2, 2),
+        Word::Atanh => (Builtin::Atanh, 1, 1),
+        Word::Ceil => (Builtin::Ceil, 1, 1),
+        Word::Cos => (Builtin::Cos, 1, 1),
+        Word::Cosh => (Builtin::Cosh, 1, 1),
+        Word::Degrees => (Builtin::Degrees, 1, 1),
+        Word::Div => (Builtin::Div, 2, 2),
+        Word::Exp => (Builtin::Exp, 1, 1),
+        Word::Floor => (Builtin::Floor, 1, 1),
+        Word::Int => (Builtin::Int, 1, 1),
+        Word::Ln => (Builtin::Ln, 1, 1),
+        Word::Log => (Builtin::Log, 1, 1),
+        Word::Max => (Builtin::Max, 2, usize::MAX),
+        Word::Min => (Builtin::Min, 2, usize::MAX),
+        Word::Mod => (Builtin::Mod, 2, 2),
+        Word::Pow => (Builtin::Pow, 2, 2),
+        Word::Radians => (Builtin::Radians, 1, 1),
+        Word::Select => (Builtin::Select, 3, 4),
+        Word::Sin => (Builtin::Sin, 1, 1),
+        Word::Sinh => (Builtin::Sinh, 1, 1),
+        Word::Sqrt => (Builtin::Sqrt, 1, 1),
+        Word::Tan => (Builtin::Tan, 1, 1),
+        Word::Tanh => (Builtin::Tanh, 1, 1),
+        _ => return None,
+    })
+}
+
+impl Body {
+    /// Reads operands of a level and the operators between them.
+    ///
+    /// Neighbouring numbers are combined from the left as POV-Ray does it, which ignores the
+    /// operator before them: `(12)/2*3` is 12/6 (docs/spec/language.md 4.2).
+    fn expression(&mut self, vm: &mut Vm, level: usize) -> Result<Operand> {
+        if level == TIGHTEST {
+            return self.unary(vm);
+        }
+        let mut operands = vec![self.expression(vm, level + 1)?];
+        let mut operators = Vec::new();
+        let mut varies = operands[0].varies;
+        while let Some(mut op) = self.operator_at(vm, level)? {
+            let sign = vm.next()?.span;
+            let mut right = self.expression(vm, level + 1)?;
+            varies |= right.varies;
+            if let (BinaryOp::Subtract, true, Expr::Constant(c)) = (op, right.plain, &mut right.expr) {
+                (*c, op) = (-*c, BinaryOp::Add);
+            }
+            if let (BinaryOp::Divide, Expr::Constant(0.0), true) = (op, &right.expr, right.plain) {
+                return Err(vm.error(sign.to(vm.last), "division by zero in a function"));
+            }
+            let left =
+                operands.last_mut().filter(|left| left.plain && right.plain && (level != 4 || !varies));
+            if let (Some(left), Expr::Constant(b)) = (left, &right.expr)
+                && let Expr::Constant(a) = left.expr
+            {
+                left.expr = Expr::Constant(compute(op, a, *b));
+                continue;
+            }
+            operators.push(op);
+            operands.push(right);
+        }
+        let mut operands = operands.into_iter();
+        let Some(first) = operands.next() else { return Err(Fault::reported()) };
+        if operators.is_empty() {
+            return Ok(first);
+        }
+        let expr = operators
+            .into_iter()
+            .zip(operands)
+            .fold(first.expr, |left, (op, right)| binary(op, left, right.expr));
+        Ok(Operand { expr, plain: false, varies })
+    }
+
+    fn operator_at(&mut self, vm: &mut Vm, level: usize) -> Result<Option<BinaryOp>> {
+        Ok(match vm.peek()?.kind {
+            TokenKind::Punct(punct) => operator(level, punct),
+            _ => None,
+        })
+    }
+
+    fn unary(&mut self, vm: &mut Vm) -> Result<Operand> {
+        let token = vm.peek()?;
+        match token.kind {
+            TokenKind::Punct(Punct::Minus) => {
+                vm.take(token);
+                let operand = self.operand(vm)?;
+                let expr = match operand.expr {
+                    Expr::Constant(c) => Expr::Constant(-c),
+                    expr => Expr::Negate(Box::new(expr)),
+                };
+                Ok(Operand { expr, ..operand })
+            }
+            TokenKind::Punct(Punct::Plus) => {
+                vm.take(token);
+                self.operand(vm)
+            }
+            _ => self.operand(vm),
+        }
+    }
+
+    fn operand(&mut self, vm: &mut Vm) -> Result<Operand> {
+        let token = vm.peek()?;
+        let constant = |c: f64| Operand { expr: Expr::Constant(c), plain: true, varies: false };
+        match token.kind {
+            TokenKind::Number(value) => {
+                vm.take(token);
+                Ok(constant(value))
+            }
+            TokenKind::Punct(Punct::OpenParen) => {
+                vm.take(token);
+                let inner = self.deeper(vm, token.span, |body, vm| body.expression(vm, 0))?;
+                vm.close_paren(token.span)?;
+                Ok(Operand { plain: false, ..inner })
+            }
+            TokenKind::Name(symbol) => self.named(vm, token, symbol),
+            TokenKind::Word(Word::Pi) => {
+                vm.take(token);
+                Ok(constant(std::f64::consts::PI))
+            }
+            TokenKind::Word(Word::Clock) => {
+                vm.take(token);
+                Ok(constant(vm.options.clock.value))
+            }
+            TokenKind::Word(word) => self.word(vm, token, word),
+            TokenKind::Vector(_) | TokenKind::Text | TokenKind::Punct(_) | TokenKind::End => {
+                Err(no_operand(vm))
+            }
+        }
+    }
+
+    fn parameter(&self, variable: Variable) -> Option<Operand> {
+        let index = self.parameters.iter().position(|&parameter| parameter == variable)?;
+        Some(Operand { expr: Expr::Parameter(index as u16), plain: false, varies: true })
+    }
+
+    fn word(&mut self, vm: &mut Vm, token: Token, word: Word) -> Result<Operand> {
+        if let Some(axis) = axis(word) {
+            vm.take(token);
+            // An axis that is no parameter is zero.
+            let zero = Operand { expr: Expr::Constant(0.0), plain: false, varies: true };
+            return Ok(self.parameter(Variable::Axis(axis)).unwrap_or(zero));
+        }
+        if matches!(word, Word::Sum | Word::Prod) {
+            vm.take(token);
+            return self.series(vm, word);
+        }
+        let Some((builtin, least, most)) = builtin(word) else {
+            let fault = no_operand(vm);
+            return Err(fault.help(format!("`{}` cannot be used inside a function", word.text())));
+        };
+        vm.take(token);
+        let (arguments, varies) = self.arguments(vm)?;
+        if arguments.len() < least || arguments.len() > most {
+            let wanted = match (least, most) {
+                (least, usize::MAX) => format!("{least} or more arguments"),
+                (1, 1) => "one argument".to_owned(),
+                (least, most) if least == most => format!("{least} arguments"),
+                (least, most) => format!("{least} or {most} arguments"),
+            };
+            let message = format!("`{}` takes {wanted}, but {} given", word.text(), arguments.len());
+            return Err(vm.error(token.span.to(vm.last), message));
+        }
+        Ok(Operand { expr: Expr::Call(builtin, arguments), plain: false, varies })
+    }
+
+    /// Reads `(i, from, to, term)` after `sum` or `prod`.
+    fn series(&mut self, vm: &mut Vm, word: Word) -> Result<Operand> {
+        let open = vm.expect(Punct::OpenParen)?;
+        let token = vm.peek()?;
+        let TokenKind::Name(name) = token.kind else { return Err(vm.expected("the name that counts")) };
+        vm.take(token);
+        vm.comma()?;
+        let (from, to, term) = self.deeper(vm, open, |body, vm| {
+            let from = body.expression(vm, 0)?;
+            vm.comma()?;
+            let to = body.expression(vm, 0)?;
+            vm.comma()?;
+            body.running.push(name);
+            let term = body.expression(vm, 0);
+            body.running.pop();
+            Ok((from, to, term?))
+        })?;
+        vm.close_paren(open)?;
+        let varies = from.varies || to.varies || term.varies;
+        let parts = Box::new([from.expr, to.expr, term.expr]);
+        let expr = if word == Word::Sum { Expr::Sum(parts) } else { Expr::Product(parts) };
+        Ok(Operand { expr, plain: false, varies })
+    }
+
+    /// Reads a name: what counts in a sum, a parameter, a variable, or the call of a function.
+    fn named(&mut self, vm: &mut Vm, token: Token, symbol: Symbol) -> Result<Operand> {
+        if let Some(index) = self.running.iter().rposition(|&running| running == symbol) {
+            vm.take(token);
+            return Ok(Operand { expr: Expr::Running(index as u16), plain: false, varies: true });
+        }
+        if let Some(operand) = self.parameter(Variable::Name(symbol)) {
+            vm.take(token);
+            return Ok(operand);
+        }
+        let value = match vm.place.clone() {
+            Some(place) => match place.get() {
+                Some(value) => value,
+                None => return Err(vm.unset_element(token.span)),
+            },
+            None => return Err(no_operand(vm)),
+        };
+        match value {
+            Value::Float(value) => {
+                vm.take(token);
+                Ok(Operand { expr: Expr::Constant(value), plain: true, varies: false })
+            }
+            Value::Function(function) => {
+                vm.take(token);
+                self.call(vm, function, token.span)
+            }
+            Value::Vector2(_) | Value::Vector3(_) | Value::Vector4(_) | Value::Color(_) => {
+                let fault = no_operand(vm);
+                Err(fault.help("functions know floats only: declare a float with the component you need"))
+            }
+            _ => Err(no_operand(vm)),
+        }
+    }
+
+    fn call(&mut self, vm: &mut Vm, function: Arc<Function>, span: Span) -> Result<Operand> {
+        let (arguments, varies) = self.arguments(vm)?;
+        if arguments.len() != function.parameters {
+            let message = format!(
+                "function `{}` takes {} arguments, but {} given",
+                function.name,
+                function.parameters,
+                arguments.len()
+            );
+            return Err(vm.error(span.to(vm.last), message).see(function.span, "the function"));
+        }
+        let several = matches!(
+            function.body,
+            FunctionBody::Pigment(_) | FunctionBody::Transform(_) | FunctionBody::Spline(_)
+        );
+        let expr =
+            if several { self.component(vm, function, arguments)? } else { Expr::User(function, arguments) };
+        Ok(Operand { expr, plain: false, varies })
+    }
+
+    /// Reads the `.member` that has to follow the call of a function with several components.
+    fn component(&mut self, vm: &mut Vm, function: Arc<Function>, arguments: Vec<Expr>) -> Result<Expr> {
+        if !vm.accept_punct(Punct::Point)? {
+            let fault = vm.expected("`.` and a component");
+            let name = &function.name;
+            return Err(
+                fault.help(format!("`{name}` gives several numbers; choose one, such as `{name}(..).x`"))
+            );
+        }
+        let token = vm.peek()?;
+        let mix = |weights: &[f64]| {
+            let part = |(index, &weight): (usize, &f64)| {
+                let part = Expr::Component(function.clone(), arguments.clone(), index as u8);
+                binary(BinaryOp::Multiply, part, Expr::Constant(weight))
+            };
+            weights.iter().enumerate().map(part).reduce(|a, b| binary(BinaryOp::Add, a, b))
+        };
+        let mixed = match token.kind {
+            TokenKind::Word(Word::Gray) => mix(&[0.297, 0.589, 0.114]),
+            TokenKind::Name(symbol) => match &**vm.symbols.name(symbol) {
+                "grey" => mix(&[0.297, 0.589, 0.114]),
+                "hf" => mix(&[0.996093, 0.996093 / 255.0]),
+                _ => None,
+            },
+            TokenKind::Word(word) => super::expr::component(word)
+                .map(|index| Expr::Component(function.clone(), arguments.clone(), index as u8)),
+            _ => None,
+        };
+        match mixed {
+            Some(expr) => {
+                vm.take(token);
+                Ok(expr)
+            }
+            None => Err(vm.expected("a component such as `x`, `red` or `gray`")),
+        }
+    }
+
+    fn arguments(&mut self, vm: &mut Vm) -> Result<(Vec<Expr>, bool)> {
+        let open = vm.expect(Punct::OpenParen)?;
+        let (mut arguments, mut varies) = (Vec::new(), false);
+        self.deeper(vm, open, |body, vm| {
+            loop {
+                let argument = body.expression(vm, 0)?;
+                varies |= argument.varies;
+                arguments.push(argument.expr);
+                if !vm.accept_punct(Punct::Comma)? {
+                    return vm.close_paren(open);
+                }
+            }
+        })?;
+        Ok((arguments, varies))
+    }
+
+    /// Reads something inside parentheses.
+    fn deeper<T>(
+        &mut self,
+        vm: &mut Vm,
+        span: Span,
+        read: impl FnOnce(&mut Self, &mut Vm) -> Result<T>,
+    ) -> Result<T> {
+        vm.nested(span, |vm| read(self, vm))
+    }
+}
+
+fn no_operand(vm: &mut Vm) -> Fault {
+    vm.expected("an operand of a function: a number, a parameter, a float variable or a call")
+}
+
+/// Puts two trees together; numbers are combined, and a division by one becomes a product, as
+/// POV-Ray calculates it.
+fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
+    match (op, &left, &right) {
+        (_, &Expr::Constant(a), &Expr::Constant(b)) => Expr::Constant(compute(op, a, b)),
+        (BinaryOp::Divide, _, &Expr::Constant(c)) => {
+            Expr::Binary(BinaryOp::Multiply, Box::new(left), Box::new(Expr::Constant(1.0 / c)))
+        }
+        _ => Expr::Binary(op, Box::new(left), Box::new(right)),
+    }
+}
