@@ -4,6 +4,7 @@ pub mod bounds;
 pub mod color;
 pub mod gamma;
 pub mod spline;
+pub mod roots;
 pub mod transform;
 
 pub use bounds::Bounds;

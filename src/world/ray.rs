@@ -23,6 +23,18 @@ impl Ray {
         self.origin + t * self.direction
     }
 
+    /// The distance at which the ray passes `center`, and the ray starting there.
+    ///
+    /// Solving from there instead of from a far origin keeps the digits that `origin - center` would
+    /// eat; the new origin is rounded only once.
+    pub fn moved_to(&self, center: DVec3) -> (f64, Self) {
+        let t = (center - self.origin).dot(self.direction) / self.direction.length_squared();
+        if !t.is_finite() {
+            return (0.0, *self);
+        }
+        (t, Self { origin: self.direction.mul_add(DVec3::splat(t), self.origin), direction: self.direction })
+    }
+
     /// The same ray in the inner space of `transform`.
     pub fn to_inner(&self, transform: &Transform) -> Self {
         Self {
@@ -46,6 +58,11 @@ impl Range {
     pub const AHEAD: Self = Self { min: 0.0, max: f64::INFINITY };
     /// The whole line.
     pub const LINE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
+
+    /// The same distances counted from `shift`.
+    pub fn shifted(self, shift: f64) -> Self {
+        Self { min: self.min - shift, max: self.max - shift }
+    }
 
     /// Whether `t` is strictly inside.
     pub fn contains(self, t: f64) -> bool {

@@ -1,5 +1,25 @@
 //! The primitives: one file each, all behind [`Shape`].
 
+pub mod r#box;
+pub mod cone;
+pub mod cylinder;
+pub mod disc;
+pub mod empty;
+pub mod mesh;
+pub mod plane;
+pub mod polygon;
+pub mod primitive;
+pub mod quadric;
+pub mod sphere;
+pub mod stretch;
+pub mod torus;
+pub mod triangle;
+
+#[cfg(test)]
+pub(crate) mod battery;
+
+pub use primitive::Primitive;
+
 use super::ray::{Range, Ray};
 use crate::math::{Bounds, DVec2, DVec3};
 
@@ -14,6 +34,13 @@ pub struct Crossing {
     pub at: [f64; 2],
 }
 
+impl Crossing {
+    /// A crossing whose place on the part needs no saying.
+    pub fn new(t: f64, part: u32) -> Self {
+        Self { t, part, at: [0.0; 2] }
+    }
+}
+
 /// A geometry in its own space. The space is reached by the caller; directions of rays are not unit.
 ///
 /// Distances carry no absolute tolerance: a shape reports every crossing in the open range, as
@@ -21,6 +48,11 @@ pub struct Crossing {
 pub trait Shape: Send + Sync + std::fmt::Debug {
     /// A box around the surface and, for solids, the inside; may be unbounded.
     fn bounds(&self) -> Bounds;
+
+    /// The box `min_extent` and `max_extent` report, where POV-Ray's isn't [`Shape::bounds`].
+    fn extent(&self) -> Bounds {
+        self.bounds()
+    }
 
     /// Adds every crossing in `range`, in ascending order of `t`; tangent points count once.
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>);
@@ -58,6 +90,10 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     fn uv(&self, _point: DVec3, _crossing: &Crossing) -> Option<DVec2> {
         None
     }
+
+    /// Calls back with the number and weight of every texture of the shape's own list that takes part
+    /// at a crossing; the weights sum to 1. Never called back: the object's texture.
+    fn textures(&self, _point: DVec3, _crossing: &Crossing, _found: &mut dyn FnMut(u32, f64)) {}
 
     /// Moves a computed hit point onto the surface as exactly as f64 allows.
     fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {

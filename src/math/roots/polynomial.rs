@@ -1,0 +1,219 @@
+//! Bracketed Newton on the monotone stretches of a polynomial (Yuksel, High Performance Graphics 2022).
+
+/// The real roots of a polynomial with at most `N` coefficients, ascending.
+#[derive(Clone, Copy, Debug)]
+pub struct Roots<const N: usize> {
+    values: [f64; N],
+    count: usize,
+}
+
+impl<const N: usize> Roots<N> {
+    fn new() -> Self {
+        Self { values: [0.0; N], count: 0 }
+    }
+
+    fn push(&mut self, root: f64) {
+        self.values[self.count] = root;
+        self.count += 1;
+    }
+
+    /// The same roots in another unit; `change` must keep their order.
+    pub fn map(mut self, change: impl Fn(f64) -> f64) -> Self {
+        self.values[..self.count].iter_mut().for_each(|root| *root = change(*root));
+        self
+    }
+
+    /// The roots.
+    pub fn as_slice(&self) -> &[f64] {
+        &self.values[..self.count]
+    }
+}
+
+/// The distinct real roots in `[low, high]` of the polynomial whose `coefficients` start with the
+/// constant; infinite ends are allowed. At most `N` coefficients count; none where all are zero or
+/// one is not finite.
+///
+/// A simple root is exact to the last bits its coefficients determine, a double one to half of them.
+pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) -> Roots<N> {
+    let length = coefficients.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1);
+    let coefficients = &coefficients[..length];
+    if length < 2 || length > N || !(low <= high) || !coefficients.iter().all(|c| c.is_finite()) {
+        return Roots::new();
+    }
+    let bound = root_bound(coefficients);
+    let (low, high) = (low.max(-bound), high.min(bound));
+    if low > high {
+        return Roots::new();
+    }
+    // The k-th derivative divided by k!, from the last one that is linear down to the polynomial itself:
+    // the roots of each are the ends of the next one's monotone stretches.
+    let degree = length - 1;
+    let mut derivative = [0.0; N];
+    let mut ends = Roots::<N>::new();
+    for order in (0..degree).rev() {
+        scaled_derivative(coefficients, order, &mut derivative);
+        ends = stretch_roots(&derivative[..length - order], low, high, &ends);
+    }
+    ends
+}
+
+/// Fujiwara's bound on the absolute value of every root, rounded up; not finite for extreme coefficients.
+fn root_bound(coefficients: &[f64]) -> f64 {
+    let degree = coefficients.len() - 1;
+    let lead = coefficients[degree];
+    let largest = (0..degree)
+        .map(|i| (coefficients[i] / lead).abs().powf(1.0 / (degree - i) as f64))
+        .fold(0.0, f64::max);
+    (2.001 * largest).min(f64::MAX)
+}
+
+/// Coefficients of the `order`-th derivative over `order!`.
+fn scaled_derivative<const N: usize>(coefficients: &[f64], order: usize, out: &mut [f64; N]) {
+    let mut binomial = 1.0;
+    for (i, c) in coefficients[order..].iter().enumerate() {
+        out[i] = binomial * c;
+        binomial = binomial * (i + order + 1) as f64 / (i + 1) as f64;
+    }
+}
+
+/// Roots in `[low, high]` of a polynomial that is monotone between neighbouring `ends`.
+fn stretch_roots<const N: usize>(c: &[f64], low: f64, high: f64, ends: &Roots<N>) -> Roots<N> {
+    let mut roots = Roots::new();
+    let mut from = (low, value(c, low));
+    if from.1 == 0.0 {
+        roots.push(low);
+    }
+    for &x in ends.as_slice() {
+        if x <= from.0 || x >= high {
+            continue;
+        }
+        let to = (x, value_above_noise(c, x));
+        if let Some(root) = bracketed(c, from, to) {
+            roots.push(root);
+        }
+        if to.1 == 0.0 {
+            roots.push(x);
+        }
+        from = to;
+    }
+    let to = (high, value(c, high));
+    if let Some(root) = bracketed(c, from, to) {
+        roots.push(root);
+    }
+    if to.1 == 0.0 && high > low && roots.count < N {
+        roots.push(high);
+    }
+    roots
+}
+
+fn value(c: &[f64], x: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}
+
+fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
+    c.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * x + c, slope * x + value))
+}
+
+/// The value, or zero where its sign is lost in the rounding of coefficients and evaluation.
+fn value_above_noise(c: &[f64], x: f64) -> f64 {
+    let (value, size) =
+        c.iter().rev().fold((0.0, 0.0), |(v, s): (f64, f64), c| (v * x + c, s * x.abs() + c.abs()));
+    if value.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { value }
+}
+
+/// The root in a bracket with values of opposite sign at its ends.
+fn bracketed(c: &[f64], from: (f64, f64), to: (f64, f64)) -> Option<f64> {
+    if from.1 == 0.0 || to.1 == 0.0 || (from.1 < 0.0) == (to.1 < 0.0) {
+        return None;
+    }
+    let (mut low, mut high) = (from.0, to.0);
+    let rising = from.1 < 0.0;
+    let mut x = low + (high - low) * 0.5;
+    let mut last_step = high - low;
+    loop {
+        let (value, slope) = value_and_slope(c, x);
+        if value == 0.0 {
+            return Some(x);
+        }
+        if (value < 0.0) == rising {
+            low = x;
+        } else {
+            high = x;
+        }
+        let mut next = x - value / slope;
+        // A step out of the bracket, or one that doesn't halve the last, gives way to bisection.
+        if !(next > low && next < high && (next - x).abs() <= 0.5 * last_step) {
+            next = low + (high - low) * 0.5;
+        }
+        last_step = (next - x).abs();
+        if last_step <= f64::EPSILON * 0.5 * x.abs() || next <= low || next >= high {
+            return Some(next);
+        }
+        x = next;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn roots(c: &[f64]) -> Vec<f64> {
+        roots_between::<8>(c, f64::NEG_INFINITY, f64::INFINITY).as_slice().to_vec()
+    }
+
+    #[track_caller]
+    fn close(found: &[f64], expected: &[f64], error: f64) {
+        assert_eq!(found.len(), expected.len(), "{found:?} is not {expected:?}");
+        for (f, e) in found.iter().zip(expected) {
+            assert!((f - e).abs() <= error * e.abs().max(1e-300), "{found:?} is not {expected:?}");
+        }
+    }
+
+    #[test]
+    fn four_simple_roots_come_out_to_the_last_bits() {
+        close(&roots(&[24.0, -50.0, 35.0, -10.0, 1.0]), &[1.0, 2.0, 3.0, 4.0], 1e-14);
+    }
+
+    #[test]
+    fn double_roots_count_once() {
+        close(&roots(&[1.0, 0.0, -2.0, 0.0, 1.0]), &[-1.0, 1.0], 1e-14);
+        close(&roots(&[2.0, -3.0, 0.0, 1.0]), &[-2.0, 1.0], 1e-14);
+        // x² (x² - 1)²
+        let found = roots(&[0.0, 0.0, 1.0, 0.0, -2.0, 0.0, 1.0]);
+        assert_eq!(found.len(), 3, "{found:?}");
+    }
+
+    #[test]
+    fn scale_of_argument_and_value_changes_nothing() {
+        for exponent in [-40, -8, 0, 8, 40] {
+            let s = 10f64.powi(exponent);
+            let c = [24.0 * s * s * s * s, -50.0 * s * s * s, 35.0 * s * s, -10.0 * s, 1.0];
+            close(&roots(&c), &[s, 2.0 * s, 3.0 * s, 4.0 * s], 1e-14);
+            close(&roots(&c.map(|c| c * 1e-30)), &[s, 2.0 * s, 3.0 * s, 4.0 * s], 1e-14);
+        }
+    }
+
+    #[test]
+    fn a_tiny_leading_coefficient_costs_no_digit_of_the_others() {
+        let found = roots(&[-1.0, 1.0, 0.0, 0.0, 1e-8]);
+        assert_eq!(found.len(), 2);
+        assert!((found[1] - 0.999_999_990_000_000_4).abs() < 1e-15, "{found:?}");
+    }
+
+    #[test]
+    fn the_range_is_respected_and_its_ends_belong_to_it() {
+        let c = [24.0, -50.0, 35.0, -10.0, 1.0];
+        close(roots_between::<5>(&c, 1.5, 3.5).as_slice(), &[2.0, 3.0], 1e-14);
+        close(roots_between::<5>(&c, 2.0, 3.0).as_slice(), &[2.0, 3.0], 1e-14);
+        assert!(roots_between::<5>(&c, 5.0, 4.0).as_slice().is_empty());
+    }
+
+    #[test]
+    fn what_is_no_polynomial_has_no_roots() {
+        assert!(roots(&[]).is_empty());
+        assert!(roots(&[1.0]).is_empty());
+        assert!(roots(&[0.0, 0.0]).is_empty());
+        assert!(roots(&[f64::NAN, 1.0]).is_empty());
+        assert!(roots(&[1.0, f64::INFINITY]).is_empty());
+    }
+}

@@ -1,0 +1,184 @@
+//! `mesh` and `mesh2` (docs/spec/primitives.md 4.3, 4.4).
+
+pub(in crate::world::shape) mod bvh;
+
+use bvh::Bvh;
+
+use super::triangle::{Sheared, blend, face_normal};
+use super::{Crossing, Shape};
+use crate::math::{Bounds, DVec2, DVec3};
+use crate::world::{Range, Ray};
+
+/// Triangles that share lists of corners, normals and texture coordinates.
+///
+/// [`Crossing::part`] is the number of the face among those with an area, [`Crossing::at`] the weights
+/// of its second and third corner.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    lists: Lists,
+    faces: Vec<Face>,
+    bounds: Bounds,
+    bvh: Bvh,
+    inside: Option<DVec3>,
+}
+
+/// What the faces of a [`Mesh`] refer to.
+#[derive(Clone, Debug, Default)]
+pub struct Lists {
+    /// Corners.
+    pub vertices: Vec<DVec3>,
+    /// Normals, of any length.
+    pub normals: Vec<DVec3>,
+    /// Texture coordinates.
+    pub uvs: Vec<DVec2>,
+}
+
+/// One triangle of a [`Mesh`]: indices into its lists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Face {
+    /// Corners.
+    pub vertices: [u32; 3],
+    /// Normals of a smooth triangle.
+    pub normals: Option<[u32; 3]>,
+    /// Texture coordinates; without them they are (0, 0).
+    pub uvs: Option<[u32; 3]>,
+    /// Textures of the corners, all equal for one on the whole face; `None` for the mesh's own.
+    pub textures: Option<[u32; 3]>,
+}
+
+impl Mesh {
+    /// Faces without area are left out; normals are normalised, a zero one becomes +x.
+    /// `inside` is the direction that decides what is inside; without it the mesh is a surface.
+    /// `None` where a face refers to what isn't in the lists.
+    pub fn new(mut lists: Lists, mut faces: Vec<Face>, inside: Option<DVec3>) -> Option<Self> {
+        let within = |indices: [u32; 3], length: usize| indices.iter().all(|&i| (i as usize) < length);
+        let valid = |face: &Face| {
+            within(face.vertices, lists.vertices.len())
+                && face.normals.is_none_or(|n| within(n, lists.normals.len()))
+                && face.uvs.is_none_or(|uv| within(uv, lists.uvs.len()))
+        };
+        if !faces.iter().all(valid) {
+            return None;
+        }
+        lists.normals.iter_mut().for_each(|normal| *normal = normal.normalize_or(DVec3::X));
+        faces.retain(|face| {
+            let normal = face_normal(corners(&lists, face));
+            normal != DVec3::ZERO && normal.is_finite()
+        });
+        let boxes: Vec<_> = faces.iter().map(|face| Bounds::of(corners(&lists, face))).collect();
+        let bounds = boxes.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
+        let inside = inside.filter(|direction| *direction != DVec3::ZERO);
+        Some(Self { bvh: Bvh::new(&boxes), lists, faces, bounds, inside })
+    }
+
+    fn corners(&self, part: u32) -> [DVec3; 3] {
+        corners(&self.lists, &self.faces[part as usize])
+    }
+}
+
+fn corners(lists: &Lists, face: &Face) -> [DVec3; 3] {
+    face.vertices.map(|i| lists.vertices[i as usize])
+}
+
+impl Shape for Mesh {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        let sheared = Sheared::new(ray);
+        let from = out.len();
+        let mut edges = Vec::new();
+        self.bvh.visit(ray, range, |part, _| {
+            let hit = sheared.meet(self.corners(part)).filter(|hit| range.contains(hit.t))?;
+            let crossing = Crossing { t: hit.t, part, at: hit.at };
+            if hit.on_edge {
+                edges.push(crossing)
+            } else {
+                out.push(crossing)
+            }
+            None
+        });
+        // Neighbours both report a shared edge: keep one of them.
+        edges.sort_by(|a, b| a.t.total_cmp(&b.t));
+        edges.dedup_by(|next, kept| (next.t - kept.t).abs() <= 16.0 * f64::EPSILON * kept.t.abs());
+        out.append(&mut edges);
+        out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let sheared = Sheared::new(ray);
+        let mut best = None;
+        self.bvh.visit(ray, range, |part, range| {
+            let hit = sheared.meet(self.corners(part)).filter(|hit| range.contains(hit.t))?;
+            best = Some(Crossing { t: hit.t, part, at: hit.at });
+            Some(hit.t)
+        });
+        best
+    }
+
+    fn occludes(&self, ray: &Ray, range: Range) -> bool {
+        let sheared = Sheared::new(ray);
+        let mut hidden = false;
+        self.bvh.visit(ray, range, |part, range| {
+            hidden |= sheared.meet(self.corners(part)).is_some_and(|hit| range.contains(hit.t));
+            // An empty range ends the walk.
+            hidden.then_some(f64::NEG_INFINITY)
+        });
+        hidden
+    }
+
+    fn inside(&self, point: DVec3) -> bool {
+        let Some(direction) = self.inside else {
+            return false;
+        };
+        let ray = Ray::new(point, direction);
+        let sheared = Sheared::new(&ray);
+        let mut odd = false;
+        self.bvh.visit(&ray, Range::AHEAD, |part, _| {
+            odd ^= sheared.meet(self.corners(part)).is_some_and(|hit| hit.owned && hit.t > 0.0);
+            None
+        });
+        odd
+    }
+
+    fn is_solid(&self) -> bool {
+        self.inside.is_some()
+    }
+
+    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        match self.faces[crossing.part as usize].normals {
+            Some(indices) => blend(indices.map(|i| self.lists.normals[i as usize]), crossing.at),
+            None => self.geometric_normal(point, crossing),
+        }
+    }
+
+    fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
+        face_normal(self.corners(crossing.part))
+    }
+
+    fn uv(&self, _point: DVec3, crossing: &Crossing) -> Option<DVec2> {
+        let uvs = self.faces[crossing.part as usize].uvs;
+        Some(uvs.map_or(DVec2::ZERO, |uv| blend(uv.map(|i| self.lists.uvs[i as usize]), crossing.at)))
+    }
+
+    fn textures(&self, _point: DVec3, crossing: &Crossing, found: &mut dyn FnMut(u32, f64)) {
+        let [v, w] = crossing.at;
+        match self.faces[crossing.part as usize].textures {
+            None => {}
+            Some([a, b, c]) if a == b && b == c => found(a, 1.0),
+            Some(textures) => {
+                for (texture, weight) in textures.into_iter().zip([1.0 - v - w, v, w]) {
+                    found(texture, weight);
+                }
+            }
+        }
+    }
+
+    fn reproject(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
+        blend(self.corners(crossing.part), crossing.at)
+    }
+}
+
+#[cfg(test)]
+mod tests;

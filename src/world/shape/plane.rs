@@ -1,0 +1,88 @@
+//! `plane { normal, distance }` (docs/spec/primitives.md 3.3).
+
+use super::{Crossing, Shape};
+use crate::math::{Bounds, DVec3};
+use crate::world::{Range, Ray};
+
+/// The half-space `normal · p <= distance`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Unit normal, pointing out.
+    pub normal: DVec3,
+    /// Signed distance from the origin.
+    pub distance: f64,
+}
+
+impl Plane {
+    /// How far `point` is outside, and the size of the terms whose rounding that carries.
+    fn height(&self, point: DVec3) -> (f64, f64) {
+        let terms = self.normal * point;
+        let size = terms.x.abs() + terms.y.abs() + terms.z.abs() + self.distance.abs();
+        (terms.x + terms.y + terms.z - self.distance, size)
+    }
+}
+
+impl Shape for Plane {
+    fn bounds(&self) -> Bounds {
+        Bounds::ALL
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        out.extend(self.nearest(ray, range));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        // A parallel ray divides by zero: neither infinity nor NaN is in any range.
+        let t = -self.height(ray.origin).0 / self.normal.dot(ray.direction);
+        range.contains(t).then(|| Crossing::new(t, 0))
+    }
+
+    /// The surface belongs to the inside, also where rounding put a point of it outside.
+    fn inside(&self, point: DVec3) -> bool {
+        let (height, size) = self.height(point);
+        height <= 4.0 * f64::EPSILON * size
+    }
+
+    fn normal(&self, _point: DVec3, _crossing: &Crossing) -> DVec3 {
+        self.normal
+    }
+
+    fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
+        point - self.height(point).0 * self.normal
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::battery::{battery, table};
+    use super::*;
+
+    battery! {
+        slanted: |size, at| {
+            let normal = DVec3::new(1.0, 2.0, -0.5).normalize();
+            Plane { normal, distance: normal.dot(at) + 0.25 * size }
+        };
+    }
+
+    #[test]
+    fn probes_agree_with_povray() {
+        table(
+            &Plane { normal: DVec3::Y, distance: 3.0 },
+            "from <0,10,0> dir <0.3,-1,0.2> | P <2.1, 3, 1.4> N <0, 1, 0>
+            from <0,-10,0> dir <0,1,0> | P <0, 3, 0> N <0, 1, 0>
+            from <0,10,0> dir <1,0,0> | miss
+            from <0,10,0> dir <1,-2e-6,0> | P <3500000, 3, 0> N <0, 1, 0>
+            inside <0,3,0> | 1
+            inside <0,3.00000001,0> | 0
+            inside <0,2.9,0> | 1",
+        );
+    }
+
+    #[test]
+    fn the_ground_reaches_beyond_povrays_greatest_distance() {
+        // POV-Ray stops at 1e7, and takes rays flatter than 1e-10 for parallel.
+        let ground = Plane { normal: DVec3::Y, distance: 0.0 };
+        let ray = Ray::new(DVec3::Y, DVec3::new(1.0, -1e-12, 0.0));
+        assert_eq!(ground.nearest(&ray, Range::AHEAD).map(|hit| hit.t), Some(1e12));
+    }
+}

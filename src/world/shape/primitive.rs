@@ -1,0 +1,98 @@
+//! Any primitive, called without a virtual call where it is of a common kind.
+
+use super::r#box::Cuboid;
+use super::cone::Cone;
+use super::cylinder::Cylinder;
+use super::disc::Disc;
+use super::mesh::Mesh;
+use super::plane::Plane;
+use super::sphere::Sphere;
+use super::torus::Torus;
+use super::triangle::Triangle;
+use super::{Crossing, Shape};
+use crate::math::{Bounds, DVec2, DVec3};
+use crate::world::{Range, Ray};
+
+/// A primitive in its own space.
+#[derive(Debug)]
+#[expect(missing_docs, reason = "the variants are named after what they hold")]
+pub enum Primitive {
+    Sphere(Sphere),
+    Box(Cuboid),
+    Plane(Plane),
+    Disc(Disc),
+    Cylinder(Cylinder),
+    Cone(Cone),
+    Torus(Torus),
+    Triangle(Triangle),
+    Mesh(Box<Mesh>),
+    /// The rare kinds.
+    Other(Box<dyn Shape>),
+}
+
+macro_rules! each {
+    ($primitive:expr, $shape:ident => $call:expr) => {
+        match $primitive {
+            Self::Sphere($shape) => $call,
+            Self::Box($shape) => $call,
+            Self::Plane($shape) => $call,
+            Self::Disc($shape) => $call,
+            Self::Cylinder($shape) => $call,
+            Self::Cone($shape) => $call,
+            Self::Torus($shape) => $call,
+            Self::Triangle($shape) => $call,
+            Self::Mesh($shape) => $call,
+            Self::Other($shape) => $call,
+        }
+    };
+}
+
+impl Shape for Primitive {
+    fn bounds(&self) -> Bounds {
+        each!(self, shape => shape.bounds())
+    }
+
+    fn extent(&self) -> Bounds {
+        each!(self, shape => shape.extent())
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        each!(self, shape => shape.crossings(ray, range, out));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        each!(self, shape => shape.nearest(ray, range))
+    }
+
+    fn occludes(&self, ray: &Ray, range: Range) -> bool {
+        each!(self, shape => shape.occludes(ray, range))
+    }
+
+    fn inside(&self, point: DVec3) -> bool {
+        each!(self, shape => shape.inside(point))
+    }
+
+    fn is_solid(&self) -> bool {
+        each!(self, shape => shape.is_solid())
+    }
+
+    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        each!(self, shape => shape.normal(point, crossing))
+    }
+
+    fn geometric_normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        each!(self, shape => shape.geometric_normal(point, crossing))
+    }
+
+    fn uv(&self, point: DVec3, crossing: &Crossing) -> Option<DVec2> {
+        each!(self, shape => shape.uv(point, crossing))
+    }
+
+    fn textures(&self, point: DVec3, crossing: &Crossing, found: &mut dyn FnMut(u32, f64)) {
+        each!(self, shape => shape.textures(point, crossing, found));
+    }
+
+    fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        each!(self, shape => shape.reproject(point, crossing))
+    }
+}

@@ -1,0 +1,213 @@
+//! `triangle` and `smooth_triangle` (docs/spec/primitives.md 4.1), and the test meshes share.
+
+use super::{Crossing, Shape};
+use crate::math::{Bounds, DVec3};
+use crate::world::{Range, Ray};
+
+/// Three corners, edges included; [`Crossing::at`] are the weights of the second and third.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangle {
+    corners: [DVec3; 3],
+    /// Unit normals at the corners of a smooth one.
+    normals: Option<Box<[DVec3; 3]>>,
+}
+
+impl Triangle {
+    /// `None` where the corners span no area. Normals are normalised; a zero one becomes +x, as in meshes.
+    pub fn new(corners: [DVec3; 3], normals: Option<[DVec3; 3]>) -> Option<Self> {
+        let area = face_normal(corners);
+        let normals = normals.map(|all| Box::new(all.map(|n| n.normalize_or(DVec3::X))));
+        (area != DVec3::ZERO && area.is_finite()).then_some(Self { corners, normals })
+    }
+}
+
+/// The normal of corners that run clockwise where it points to the viewer; its length is twice the area.
+pub(super) fn face_normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (c - a).cross(b - a)
+}
+
+/// What the corners have, blended by the barycentric coordinates of a crossing.
+pub(super) fn blend<T>(corners: [T; 3], at: [f64; 2]) -> T
+where
+    T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
+{
+    let [a, b, c] = corners;
+    a * (1.0 - at[0] - at[1]) + b * at[0] + c * at[1]
+}
+
+/// A ray prepared for many triangles: the axes permuted and sheared so that it runs along z
+/// (Woop, Benthin, Wald, JCGT 2013). Neighbours compute a shared edge from the same numbers, so no
+/// ray slips between them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sheared {
+    origin: DVec3,
+    axes: [usize; 3],
+    shear: DVec3,
+}
+
+/// Where a ray meets a triangle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Meeting {
+    /// Distance.
+    pub t: f64,
+    /// Weights of the second and third corner.
+    pub at: [f64; 2],
+    /// Whether an edge or corner was met, to the last bit.
+    pub on_edge: bool,
+    /// Whether the point belongs to this triangle rather than to the neighbour behind the edge.
+    pub owned: bool,
+}
+
+impl Sheared {
+    pub(super) fn new(ray: &Ray) -> Self {
+        let d = ray.direction;
+        let z = d.abs().max_position();
+        let (x, y) = ((z + 1) % 3, (z + 2) % 3);
+        // Keep the sense of rotation.
+        let axes = if d[z] < 0.0 { [y, x, z] } else { [x, y, z] };
+        let shear = DVec3::new(d[axes[0]] / d[z], d[axes[1]] / d[z], 1.0 / d[z]);
+        Self { origin: ray.origin, axes, shear }
+    }
+
+    fn corner(&self, p: DVec3) -> DVec3 {
+        let from = p - self.origin;
+        let z = from[self.axes[2]];
+        DVec3::new(
+            from[self.axes[0]] - self.shear.x * z,
+            from[self.axes[1]] - self.shear.y * z,
+            self.shear.z * z,
+        )
+    }
+
+    pub(super) fn meet(&self, corners: [DVec3; 3]) -> Option<Meeting> {
+        let [a, b, c] = corners.map(|p| self.corner(p));
+        let weights = [edge(b, c), edge(c, a), edge(a, b)];
+        let some = |wanted: fn(&f64) -> bool| weights.iter().any(wanted);
+        if some(|w| *w < 0.0) && some(|w| *w > 0.0) {
+            return None;
+        }
+        let [u, v, w] = weights;
+        let sum = u + v + w;
+        let t = (u * a.z + v * b.z + w * c.z) / sum;
+        if !t.is_finite() {
+            return None;
+        }
+        let on_edge = some(|w| *w == 0.0);
+        let owned = !on_edge
+            || [(u, b, c), (v, c, a), (w, a, b)].into_iter().all(|(weight, from, to)| {
+                weight != 0.0 || sum > 0.0 && owns(to - from) || sum < 0.0 && owns(from - to)
+            });
+        Some(Meeting { t, at: [v / sum, w / sum], on_edge, owned })
+    }
+}
+
+/// Twice the signed area between an edge and the ray, its sign exact.
+fn edge(from: DVec3, to: DVec3) -> f64 {
+    let (one, other) = (to.x * from.y, to.y * from.x);
+    let area = one - other;
+    if area.abs() > 4.0 * f64::EPSILON * (one.abs() + other.abs()) {
+        return area;
+    }
+    let coord = |p: DVec3| robust::Coord { x: p.x, y: p.y };
+    robust::orient2d(coord(to), coord(from), robust::Coord { x: 0.0, y: 0.0 })
+}
+
+/// Of two triangles beside an edge just one runs along it in this sense.
+fn owns(edge: DVec3) -> bool {
+    edge.y > 0.0 || edge.y == 0.0 && edge.x > 0.0
+}
+
+impl Shape for Triangle {
+    fn bounds(&self) -> Bounds {
+        Bounds::of(self.corners)
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        out.extend(self.nearest(ray, range));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let hit = Sheared::new(ray).meet(self.corners)?;
+        range.contains(hit.t).then_some(Crossing { t: hit.t, part: 0, at: hit.at })
+    }
+
+    fn inside(&self, _point: DVec3) -> bool {
+        false
+    }
+
+    fn is_solid(&self) -> bool {
+        false
+    }
+
+    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        match &self.normals {
+            Some(normals) => blend(**normals, crossing.at),
+            None => self.geometric_normal(point, crossing),
+        }
+    }
+
+    fn geometric_normal(&self, _point: DVec3, _crossing: &Crossing) -> DVec3 {
+        face_normal(self.corners)
+    }
+
+    fn reproject(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
+        blend(self.corners, crossing.at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::battery::{battery, table};
+    use super::*;
+
+    fn vectors(all: [[f64; 3]; 3]) -> [DVec3; 3] {
+        all.map(DVec3::from)
+    }
+
+    battery! {
+        flat: |size, at| Triangle::new(
+            [DVec3::NEG_X, DVec3::new(1.0, 0.2, 0.1), DVec3::new(0.3, 1.0, -0.5)].map(|p| at + size * p),
+            None,
+        ).unwrap(), surface;
+    }
+
+    #[test]
+    fn probes_agree_with_povray() {
+        let corners = vectors([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+        table(
+            &Triangle::new(corners, None).unwrap(),
+            "from <0.5,3,0.3> dir <0,-1,0> | P <0.5, 0, 0.3> N <0, 1, 0>
+            from <0.5,-3,0.3> dir <0,1,0> | P <0.5, 0, 0.3> N <0, 1, 0>
+            from <1,3,0.5> dir <0,-1,0> | P <1, 0, 0.5> N <0, 1, 0>
+            from <1,3,0.50000001> dir <0,-1,0> | miss
+            from <0,3,0> dir <0,-1,0> | P <0, 0, 0> N <0, 1, 0>
+            from <0,3,0.5> dir <0,-1,0> | P <0, 0, 0.5> N <0, 1, 0>
+            from <-1e-12,3,0.5> dir <0,-1,0> | miss
+            from <1,3,0> dir <0,-1,0> | P <1, 0, 0> N <0, 1, 0>
+            from <-5,0,0.3> dir <1,0,0> | miss",
+        );
+        let turned = Triangle::new([corners[1], corners[0], corners[2]], None).unwrap();
+        table(&turned, "from <0.5,3,0.3> dir <0,-1,0> | P <0.5, 0, 0.3> N <0, -1, 0>");
+        let normals = vectors([[-0.5, 1.0, -0.5], [0.5, 1.0, -0.5], [0.0, 1.0, 0.7]]);
+        table(
+            &Triangle::new(corners, Some(normals)).unwrap(),
+            "from <0.5,3,0.3> dir <0,-1,0> | P <0.5, 0, 0.3> N <-0.098465336139503, 0.985642965535228, -0.137158747697166>
+            from <0,3,0> dir <0,-1,0> | P <0, 0, 0> N <-0.408248290463863, 0.816496580927726, -0.408248290463863>
+            from <0.1,3,0.8> dir <0,-1,0> | P <0.1, 0, 0.8> N <-0.045245685464341, 0.907338945451718, 0.417957971587368>
+            from <1.9,3,0.01> dir <0,-1,0> | P <1.9, 0, 0.01> N <0.378482191340063, 0.831856859002146, -0.405913041142444>",
+        );
+    }
+
+    #[test]
+    fn normals_on_both_sides_of_the_plane_hide_nothing() {
+        // POV-Ray drops such a triangle.
+        let corners = [DVec3::NEG_X, DVec3::X, DVec3::Z];
+        let smooth = Triangle::new(corners, Some([DVec3::Y, DVec3::Y, DVec3::NEG_Y])).unwrap();
+        assert!(smooth.occludes(&Ray::new(DVec3::new(0.0, 3.0, 0.2), DVec3::NEG_Y), Range::AHEAD));
+    }
+
+    #[test]
+    fn corners_on_a_line_make_no_triangle() {
+        assert_eq!(Triangle::new([DVec3::ZERO, DVec3::X, 3.0 * DVec3::X], None), None);
+    }
+}
