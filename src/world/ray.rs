@@ -59,11 +59,6 @@ impl Range {
     /// The whole line.
     pub const LINE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
 
-    /// The same distances counted from `shift`.
-    pub fn shifted(self, shift: f64) -> Self {
-        Self { min: self.min - shift, max: self.max - shift }
-    }
-
     /// Whether `t` is strictly inside.
     pub fn contains(self, t: f64) -> bool {
         self.min < t && t < self.max

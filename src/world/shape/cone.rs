@@ -61,19 +61,14 @@ impl Cone {
         [Stretch::new(f64::NEG_INFINITY, SIDE, low, SIDE), Stretch::new(high, SIDE, f64::INFINITY, SIDE)]
     }
 
+    /// The stretches inside, in order.
     fn stretches(&self, ray: &Ray) -> [Option<Stretch>; 2] {
-        let Some(ends) = between_ends(ray) else {
+        let (shift, ray) = ray.moved_to(DVec3::new(0.0, 0.0, 0.5));
+        let Some(ends) = between_ends(&ray) else {
             return [None, None];
         };
-        let mut both = self
-            .between_sides(ray)
-            .map(|sides| if self.open { ends.meet(sides?) } else { sides?.meet(ends) });
-        if let [Some(one), Some(other)] = both
-            && one.enter.t > other.enter.t
-        {
-            both.swap(0, 1);
-        }
-        both
+        let inside = |sides: Stretch| if self.open { ends.meet(sides) } else { sides.meet(ends) };
+        self.between_sides(&ray).map(|sides| Some(inside(sides?)?.shifted(shift)))
     }
 }
 
@@ -83,23 +78,18 @@ impl Shape for Cone {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        let (shift, ray) = ray.moved_to(DVec3::new(0.0, 0.0, 0.5));
         let from = out.len();
-        for stretch in self.stretches(&ray).into_iter().flatten() {
-            stretch.push(range.shifted(shift), out);
+        for stretch in self.stretches(ray).into_iter().flatten() {
+            stretch.push(range, out);
         }
         if self.open {
             keep_side(from, out);
         }
-        out[from..].iter_mut().for_each(|crossing| crossing.t += shift);
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let (shift, ray) = ray.moved_to(DVec3::new(0.0, 0.0, 0.5));
-        let range = range.shifted(shift);
         let counts = |end: &Crossing| range.contains(end.t) && !(self.open && end.part != SIDE);
-        let ends = self.stretches(&ray).into_iter().flatten().flat_map(|s| [s.enter, s.leave]);
-        ends.filter(counts).next().map(|end| Crossing { t: end.t + shift, ..end })
+        self.stretches(ray).into_iter().flatten().flat_map(|s| [s.enter, s.leave]).find(counts)
     }
 
     fn inside(&self, point: DVec3) -> bool {

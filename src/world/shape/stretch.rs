@@ -53,6 +53,13 @@ impl Stretch {
         (enter.t <= leave.t).then_some(Self { enter, leave })
     }
 
+    /// The same stretch with distances counted from `shift` before.
+    pub fn shifted(mut self, shift: f64) -> Self {
+        self.enter.t += shift;
+        self.leave.t += shift;
+        self
+    }
+
     /// The nearer end in `range`.
     pub fn nearest(self, range: Range) -> Option<Crossing> {
         [self.enter, self.leave].into_iter().find(|end| range.contains(end.t))

@@ -226,7 +226,7 @@ impl<'a> Tally<'a> {
 
     /// Prints the rates and fails where one is too high.
     pub(super) fn judge(&self) {
-        assert!(self.crossed > 100, "only {} crossings at size {:e}", self.crossed, self.size);
+        assert!(self.crossed > 50, "only {} crossings at size {:e}", self.crossed, self.size);
         let mut bad = Vec::new();
         for (index, (check, allowed)) in CHECKS.iter().enumerate() {
             let (asked, failed) = (self.asked[index], &self.failed[index]);

@@ -1,0 +1,156 @@
+//! Shapes of the description to primitives.
+
+use std::sync::Arc;
+
+use crate::math::{DMat3, DVec3, Transform};
+use crate::scene::shape as scene;
+use crate::world::shape::cone::Cone;
+use crate::world::shape::cylinder::Cylinder;
+use crate::world::shape::disc::Disc;
+use crate::world::shape::empty::Empty;
+use crate::world::shape::mesh::{self, Mesh};
+use crate::world::shape::plane::Plane;
+use crate::world::shape::polygon::Polygon;
+use crate::world::shape::quadric::Quadric;
+use crate::world::shape::r#box::Cuboid;
+use crate::world::shape::sphere::Sphere;
+use crate::world::shape::torus::Torus;
+use crate::world::shape::triangle::Triangle;
+use crate::world::shape::{Primitive, Shape};
+
+/// A primitive and where it is in the shape's space.
+#[derive(Debug)]
+pub struct Compiled {
+    /// The primitive in its own space.
+    pub primitive: Primitive,
+    /// From there to the space the shape was written in; `None` is the identity.
+    pub transform: Option<Transform>,
+}
+
+impl Compiled {
+    fn placed(primitive: Primitive, transform: Transform) -> Self {
+        Self { primitive, transform: Some(transform) }
+    }
+
+    /// A shape of a rare kind, or nothing where its parameters make none.
+    fn rare<S: Shape + 'static>(shape: Option<S>) -> Self {
+        shape.map_or_else(Self::nothing, |shape| Primitive::Other(Box::new(shape)).into())
+    }
+
+    fn nothing() -> Self {
+        Primitive::Other(Box::new(Empty)).into()
+    }
+}
+
+impl From<Primitive> for Compiled {
+    fn from(primitive: Primitive) -> Self {
+        Self { primitive, transform: None }
+    }
+}
+
+/// Compiles a geometry; the error is the keyword of one that povista can't render yet.
+///
+/// What POV-Ray accepts and never hits (docs/spec/primitives.md 1.9) becomes an empty shape. Compound
+/// objects and lights are no primitives: they come back as errors too.
+pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
+    use scene::Shape as S;
+    Ok(match shape {
+        S::Sphere { radius: 0.0, .. } => Compiled::nothing(),
+        &S::Sphere { center, radius } => Primitive::Sphere(Sphere { center, radius }).into(),
+        &S::Box { min, max } => Primitive::Box(Cuboid { min: min.min(max), max: min.max(max) }).into(),
+        S::Cylinder(cone) | S::Cone(cone) => conical(cone),
+        &S::Torus { major, minor } if major != 0.0 && minor > 0.0 => {
+            Primitive::Torus(Torus { major: major.abs(), minor }).into()
+        }
+        S::Torus { .. } => Compiled::nothing(),
+        &S::Plane { normal, distance } => Primitive::Plane(Plane { normal, distance }).into(),
+        S::Disc(disc) => flat(disc),
+        S::Triangle(triangle) => Triangle::new(triangle.corners, triangle.normals)
+            .map_or_else(Compiled::nothing, |triangle| Primitive::Triangle(triangle).into()),
+        S::Polygon(points) => Compiled::rare(Polygon::new(points)),
+        S::Quadric(q) => Compiled::rare(Some(Quadric::new(q.squares, q.products, q.linear, q.constant))),
+        S::Mesh(mesh) => triangles(mesh),
+        S::Poly(_) => return Err("poly"),
+        S::BicubicPatch(_) => return Err("bicubic_patch"),
+        S::Blob(_) => return Err("blob"),
+        S::HeightField(_) => return Err("height_field"),
+        S::Isosurface(_) => return Err("isosurface"),
+        S::JuliaFractal(_) => return Err("julia_fractal"),
+        S::Lathe(_) => return Err("lathe"),
+        S::Prism(_) => return Err("prism"),
+        S::Sor(_) => return Err("sor"),
+        S::SphereSweep(_) => return Err("sphere_sweep"),
+        S::Superellipsoid { .. } => return Err("superellipsoid"),
+        S::Ovus { .. } => return Err("ovus"),
+        S::Text(_) => return Err("text"),
+        S::Parametric(_) => return Err("parametric"),
+        S::Csg(_) => return Err("csg"),
+        S::Light(_) => return Err("light_source"),
+        S::LightGroup(_) => return Err("light_group"),
+    })
+}
+
+/// Turns +z to the unit vector `axis`, about the horizontal line across it as POV-Ray does.
+fn turn_z_to(axis: DVec3) -> Transform {
+    let sine = axis.x.hypot(axis.y);
+    let about = if sine == 0.0 { DVec3::X } else { DVec3::new(-axis.y, axis.x, 0.0) / sine };
+    // Rodrigues' formula, whose sine and cosine are known.
+    let cross = DMat3::from_cols(
+        DVec3::new(0.0, about.z, -about.y),
+        DVec3::new(-about.z, 0.0, about.x),
+        DVec3::new(about.y, -about.x, 0.0),
+    );
+    let outer = DMat3::from_cols(about * about.x, about * about.y, about * about.z);
+    Transform::orthogonal(DMat3::IDENTITY * axis.z + cross * sine + outer * (1.0 - axis.z))
+}
+
+/// A cylinder or cone: the wider end is at z = 1 of the primitive, the first one where they are equal.
+fn conical(cone: &scene::Cone) -> Compiled {
+    let ends = [(cone.cap, cone.cap_radius), (cone.base, cone.base_radius)];
+    let [(low, tip), (high, radius)] =
+        if ends[0].1.abs() > ends[1].1.abs() { [ends[1], ends[0]] } else { ends };
+    let axis = high - low;
+    let length = axis.length();
+    if radius == 0.0 || length == 0.0 {
+        return Compiled::nothing();
+    }
+    let open = cone.open;
+    let primitive = if tip == radius {
+        Primitive::Cylinder(Cylinder { open })
+    } else {
+        Primitive::Cone(Cone { tip: tip / radius, open })
+    };
+    let size = Transform::scale(DVec3::new(radius.abs(), radius.abs(), length));
+    Compiled::placed(primitive, size.then(&turn_z_to(axis / length)).then(&Transform::translate(low)))
+}
+
+fn flat(disc: &scene::Disc) -> Compiled {
+    let Some(normal) = disc.normal.try_normalize() else {
+        return Compiled::nothing();
+    };
+    let primitive = Primitive::Disc(Disc { radius: disc.radius, hole: disc.hole });
+    Compiled::placed(primitive, turn_z_to(normal).then(&Transform::translate(disc.center)))
+}
+
+fn triangles(mesh: &Arc<scene::Mesh>) -> Compiled {
+    let lists = mesh::Lists {
+        vertices: mesh.vertices.clone(),
+        normals: mesh.normals.clone(),
+        uvs: mesh.uvs.clone(),
+    };
+    let faces = mesh.faces.iter().map(|face| mesh::Face {
+        vertices: face.vertices,
+        normals: face.normals,
+        uvs: face.uvs,
+        textures: match face.textures {
+            scene::FaceTextures::Inherited => None,
+            scene::FaceTextures::One(texture) => Some([texture; 3]),
+            scene::FaceTextures::Three(textures) => Some(textures),
+        },
+    });
+    Mesh::new(lists, faces.collect(), mesh.inside_vector)
+        .map_or_else(Compiled::nothing, |mesh| Primitive::Mesh(Box::new(mesh)).into())
+}
+
+#[cfg(test)]
+mod tests;
