@@ -3,6 +3,7 @@
 pub mod camera;
 pub mod interior;
 pub mod light;
+pub mod shape;
 
 use std::fmt;
 

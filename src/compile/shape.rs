@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::math::{DMat3, DVec3, Transform};
 use crate::scene::shape as scene;
+use crate::world::shape::r#box::Cuboid;
 use crate::world::shape::cone::Cone;
 use crate::world::shape::cylinder::Cylinder;
 use crate::world::shape::disc::Disc;
@@ -12,7 +13,6 @@ use crate::world::shape::mesh::{self, Mesh};
 use crate::world::shape::plane::Plane;
 use crate::world::shape::polygon::Polygon;
 use crate::world::shape::quadric::Quadric;
-use crate::world::shape::r#box::Cuboid;
 use crate::world::shape::sphere::Sphere;
 use crate::world::shape::torus::Torus;
 use crate::world::shape::triangle::Triangle;
@@ -133,11 +133,8 @@ fn flat(disc: &scene::Disc) -> Compiled {
 }
 
 fn triangles(mesh: &Arc<scene::Mesh>) -> Compiled {
-    let lists = mesh::Lists {
-        vertices: mesh.vertices.clone(),
-        normals: mesh.normals.clone(),
-        uvs: mesh.uvs.clone(),
-    };
+    let lists =
+        mesh::Lists { vertices: mesh.vertices.clone(), normals: mesh.normals.clone(), uvs: mesh.uvs.clone() };
     let faces = mesh.faces.iter().map(|face| mesh::Face {
         vertices: face.vertices,
         normals: face.normals,

@@ -3,8 +3,8 @@
 pub mod bounds;
 pub mod color;
 pub mod gamma;
-pub mod spline;
 pub mod roots;
+pub mod spline;
 pub mod transform;
 
 pub use bounds::Bounds;

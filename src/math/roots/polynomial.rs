@@ -37,7 +37,13 @@ impl<const N: usize> Roots<N> {
 pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) -> Roots<N> {
     let length = coefficients.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1);
     let coefficients = &coefficients[..length];
-    if length < 2 || length > N || !(low <= high) || !coefficients.iter().all(|c| c.is_finite()) {
+    if length < 2
+        || length > N
+        || low.is_nan()
+        || high.is_nan()
+        || low > high
+        || !coefficients.iter().all(|c| c.is_finite())
+    {
         return Roots::new();
     }
     let bound = root_bound(coefficients);

@@ -68,7 +68,7 @@ impl Shape for Cuboid {
     }
 
     fn normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
-        let sign = if crossing.part % 2 == 0 { -1.0 } else { 1.0 };
+        let sign = if crossing.part.is_multiple_of(2) { -1.0 } else { 1.0 };
         sign * DVec3::AXES[crossing.part as usize / 2]
     }
 
@@ -89,7 +89,7 @@ impl Shape for Cuboid {
     fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
         let axis = crossing.part as usize / 2;
         let mut on = point.clamp(self.min, self.max);
-        on[axis] = if crossing.part % 2 == 0 { self.min[axis] } else { self.max[axis] };
+        on[axis] = if crossing.part.is_multiple_of(2) { self.min[axis] } else { self.max[axis] };
         on
     }
 }

@@ -54,7 +54,7 @@ impl Cone {
             let along = a == 0.0 && b == 0.0 && c <= 0.0;
             return [along.then_some(Stretch::LINE), None];
         };
-        if a > 0.0 || a == 0.0 {
+        if a >= 0.0 {
             // For a linear equation one of the roots is infinite, on the side that is inside.
             return [Stretch::new(low, SIDE, high, SIDE), None];
         }

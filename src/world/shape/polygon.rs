@@ -30,7 +30,7 @@ impl Polygon {
         let bounds = Bounds::of(points.iter().copied());
         let size = bounds.size().max_element();
         let normal = plane_normal(points, size)?;
-        if points.iter().any(|p| !((*p - origin).dot(normal).abs() <= FLATNESS * size)) {
+        if !points.iter().all(|p| (*p - origin).dot(normal).abs() <= FLATNESS * size) {
             return None;
         }
         let dropped = normal.abs().max_position();

@@ -24,10 +24,10 @@ impl Torus {
     fn clip(&self, ray: &Ray, speed: f64) -> Option<(f64, f64)> {
         let radius = (self.major + self.minor) * ROOM;
         let square = radius * radius - ray.origin.length_squared();
-        if !(square >= 0.0) {
+        let half = square.sqrt() / speed;
+        if half.is_nan() {
             return None;
         }
-        let half = square.sqrt() / speed;
         let height = self.minor * ROOM;
         let (origin, direction) = (ray.origin.y, ray.direction.y);
         if direction == 0.0 {

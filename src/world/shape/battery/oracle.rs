@@ -38,8 +38,8 @@ fn along(terms: &[Term], ray: &Ray) -> Poly {
     let mut sum: Poly = Vec::new();
     for (coefficient, exponents) in terms {
         let mut term = vec![exact(*coefficient)];
-        for axis in 0..3 {
-            for _ in 0..exponents[axis] {
+        for (axis, exponent) in exponents.iter().enumerate() {
+            for _ in 0..*exponent {
                 term = product(&term, &vec![exact(ray.origin[axis]), exact(ray.direction[axis])]);
             }
         }
