@@ -1,7 +1,7 @@
 //! The rules of the house that a reader of the files can check: who imports whom, how long a file
 //! may be, and who prints.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -41,6 +41,29 @@ fn a_module_imports_only_from_its_left() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_parts_of_the_world_form_no_cycle() {
+    let mut uses: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for module in library().into_iter().filter(|module| module.path.len() > 1 && module.path[0] == "world") {
+        let part = module.path[1].clone();
+        let mut named: BTreeSet<String> =
+            words(&module.code, "crate::world::").flat_map(first_names).collect();
+        named.extend(parents(&module.code, module.path.len() - 1));
+        named.remove(&part);
+        uses.entry(part).or_default().extend(named);
+    }
+    // Take away parts that use none of those left, until nothing changes: what stays is in a circle or uses one.
+    let parts: BTreeSet<String> = uses.keys().cloned().collect();
+    uses.values_mut().for_each(|named| named.retain(|name| parts.contains(name)));
+    while let Some(free) = uses.iter().find(|(_, named)| named.is_empty()).map(|(part, _)| part.clone()) {
+        uses.remove(&free);
+        for named in uses.values_mut() {
+            named.remove(&free);
+        }
+    }
+    assert!(uses.is_empty(), "parts of the world that use each other in a circle: {uses:?}");
 }
 
 #[test]
@@ -137,12 +160,19 @@ fn imports(path: &[String], code: &str) -> BTreeSet<String> {
     for rest in words(code, "crate::") {
         found.extend(first_names(rest));
     }
+    found.extend(parents(code, path.len()));
+    found
+}
+
+/// The names that code reaches by going exactly so many modules `up`.
+fn parents(code: &str, up: usize) -> Vec<String> {
+    let mut found = Vec::new();
     for rest in words(code, "super::") {
         let (mut rest, mut ups) = (rest, 1);
         while let Some(further) = rest.strip_prefix("super::") {
             (rest, ups) = (further, ups + 1);
         }
-        if ups == path.len() {
+        if ups == up {
             found.extend(first_names(rest));
         }
     }
