@@ -1,0 +1,32 @@
+//! `light_group { objects … }` (docs/spec/language.md 6.4, docs/spec/shading.md 18).
+
+use std::sync::Arc;
+
+use super::{modifier, object, photons};
+use crate::interp::{Block, Result, Vm, Word};
+use crate::scene::shape::LightGroup;
+use crate::scene::{Object, Shape};
+
+/// Reads the rest of the statement after its brace: objects and lights, then what concerns them all.
+pub(super) fn read(vm: &mut Vm<'_>, block: Block) -> Result<Object> {
+    let mut group = LightGroup { objects: Vec::new(), global_lights: false };
+    while let Some(object) = object::any(vm)? {
+        group.objects.push(object);
+        vm.comma()?;
+    }
+    let mut object = Object::new(block.span, Shape::LightGroup(Arc::default()));
+    loop {
+        match vm.peek_word()? {
+            Some(Word::GlobalLights) => group.global_lights = vm.after_word(Vm::read_flag)?,
+            Some(Word::Photons) => photons::of_object(vm, &mut modifier::extra(&mut object).photons)?,
+            _ => {
+                if !modifier::place(vm, &mut object)? {
+                    break;
+                }
+            }
+        }
+    }
+    vm.close(block)?;
+    object.shape = Shape::LightGroup(Arc::new(group));
+    Ok(object)
+}

@@ -1,0 +1,187 @@
+//! `normal { … }` (docs/spec/language.md 6.9, docs/spec/patterns-textures.md 4).
+
+use std::sync::Arc;
+
+use super::pattern::{self, Owner};
+use super::{image, map};
+use crate::interp::value::Value;
+use crate::interp::{Result, Vm, Word};
+use crate::scene::pigment::BlendMap;
+use crate::scene::texture::NormalKind;
+use crate::scene::{Field, Normal, Pattern};
+use crate::source::Span;
+
+/// Reads `normal { … }`, whose keyword comes next, as a changed copy of `base`. `None` is a flat surface.
+pub(in crate::interp) fn block(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option<Arc<Normal>>> {
+    let block = vm.enter()?;
+    let normal = body(vm, base)?;
+    vm.close(block)?;
+    Ok(normal)
+}
+
+/// Reads the inside of a normal, as it also stands in a map.
+pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option<Arc<Normal>>> {
+    let named = vm.accept_value(|value| match value {
+        Value::Normal(normal) => Some(Arc::clone(normal)),
+        _ => None,
+    })?;
+    let mut normal = named.or_else(|| base.cloned());
+    match vm.peek_word()? {
+        Some(Word::UvMapping) => {
+            vm.next()?;
+            let Some(inner) = body(vm, base)? else { return Ok(None) };
+            let Normal { amount, accuracy, no_bump_scale, .. } = *inner;
+            return Ok(Some(Arc::new(Normal { kind: NormalKind::UvMapped(inner), amount, accuracy, no_bump_scale })));
+        }
+        Some(Word::BumpMap) => {
+            let inner = vm.enter()?;
+            let mut amount = None;
+            let map = Arc::new(image::bumps(vm, &mut amount)?);
+            vm.close(inner)?;
+            let field = Field::new(inner.span, Pattern::Image(Arc::clone(&map)));
+            let field = Arc::new(replaced(normal.as_deref(), field));
+            normal = Some(changed(vm, normal.as_deref(), NormalKind::Bumps { field, map }, amount)?);
+        }
+        Some(_) => {
+            if let Some(field) = pattern::read(vm, Owner::Normal)? {
+                normal = Some(with_pattern(vm, normal.as_deref(), field)?);
+            }
+        }
+        None => {}
+    }
+    modifiers(vm, &mut normal)?;
+    if let Some(normal) = &normal {
+        check(vm, normal)?;
+    }
+    Ok(normal)
+}
+
+fn replaced(base: Option<&Normal>, field: Field) -> Field {
+    match base.and_then(Normal::field) {
+        Some(old) => pattern::replaced(old, field),
+        None => field,
+    }
+}
+
+fn with_pattern(vm: &mut Vm<'_>, base: Option<&Normal>, field: Field) -> Result<Arc<Normal>> {
+    let field = replaced(base, field);
+    if let Some(count) = field.pattern.list_length()
+        && vm.peek_word()? == Some(Word::Normal)
+    {
+        let default = vm.defaults.normal();
+        let mut entries = pattern::list(vm, &field.pattern, count, Word::Normal, |vm| {
+            Ok(block(vm, default.as_ref())?.unwrap_or_else(flat))
+        })?;
+        entries.resize_with(count, || default.clone().unwrap_or_else(flat));
+        let kind = NormalKind::Normals { field: Arc::new(field), map: Arc::new(BlendMap::list(entries)) };
+        return changed(vm, base, kind, None);
+    }
+    let kind = match base.map(|base| &base.kind) {
+        Some(NormalKind::Pattern { slopes, .. }) => {
+            NormalKind::Pattern { field: Arc::new(field), slopes: slopes.clone() }
+        }
+        Some(NormalKind::Normals { map, field: old }) if old.pattern.list_length().is_none() => {
+            NormalKind::Normals { field: Arc::new(field), map: Arc::clone(map) }
+        }
+        _ => NormalKind::Pattern { field: Arc::new(field), slopes: None },
+    };
+    vm.comma()?;
+    let amount = if vm.at_number()? { Some(vm.read_float()? as f32) } else { None };
+    changed(vm, base, kind, amount)
+}
+
+/// A copy with another pattern.
+fn changed(
+    _vm: &Vm<'_>,
+    base: Option<&Normal>,
+    kind: NormalKind,
+    amount: Option<f32>,
+) -> Result<Arc<Normal>> {
+    let mut normal = Normal { kind, amount: 0.5, accuracy: 0.02, no_bump_scale: false };
+    if let Some(base) = base {
+        (normal.amount, normal.accuracy) = (base.amount, base.accuracy);
+        normal.no_bump_scale = base.no_bump_scale;
+    }
+    normal.amount = amount.unwrap_or(normal.amount);
+    Ok(Arc::new(normal))
+}
+
+/// A normal that bends nothing, where a map has an entry without a pattern.
+pub(super) fn flat() -> Arc<Normal> {
+    let field = Arc::new(Field::new(Span::default(), Pattern::Bumps));
+    let kind = NormalKind::Pattern { field, slopes: None };
+    Arc::new(Normal { kind, amount: 0.0, accuracy: 0.02, no_bump_scale: false })
+}
+
+fn modifiers(vm: &mut Vm<'_>, normal: &mut Option<Arc<Normal>>) -> Result<()> {
+    while let Some(word) = vm.peek_word()? {
+        match word {
+            Word::SlopeMap => {
+                let place = vm.here()?;
+                let slopes = Some(map::slopes(vm)?);
+                let field = mapped(vm, normal.as_deref(), word, place)?;
+                set_kind(normal, NormalKind::Pattern { field, slopes });
+            }
+            Word::NormalMap => {
+                let place = vm.here()?;
+                let field = normal.as_deref().and_then(Normal::field);
+                let average = field.is_some_and(|field| matches!(field.pattern, Pattern::Average));
+                let map = map::normals(vm, average)?;
+                let field = mapped(vm, normal.as_deref(), word, place)?;
+                set_kind(normal, NormalKind::Normals { field, map });
+            }
+            Word::BumpSize | Word::Accuracy => {
+                let value = vm.after_word(Vm::read_float)? as f32;
+                if let Some(normal) = normal.as_mut().map(Arc::make_mut) {
+                    *(if word == Word::BumpSize { &mut normal.amount } else { &mut normal.accuracy }) = value;
+                }
+            }
+            Word::NoBumpScale => {
+                vm.next()?;
+                if let Some(normal) = normal {
+                    Arc::make_mut(normal).no_bump_scale = true;
+                }
+            }
+            _ if pattern::is_modifier(word) => {
+                let field = normal.as_mut().and_then(|normal| Arc::make_mut(normal).field_mut());
+                match field {
+                    Some(field) => pattern::modifier(vm, Arc::make_mut(field))?,
+                    None => pattern::modifier(vm, &mut Field::new(vm.last, Pattern::Bumps))?,
+                };
+            }
+            _ => break,
+        }
+    }
+    Ok(())
+}
+
+fn set_kind(normal: &mut Option<Arc<Normal>>, kind: NormalKind) {
+    if let Some(normal) = normal {
+        Arc::make_mut(normal).kind = kind;
+    }
+}
+
+fn mapped(vm: &Vm<'_>, normal: Option<&Normal>, word: Word, place: Span) -> Result<Arc<Field>> {
+    match normal.map(|normal| &normal.kind) {
+        Some(NormalKind::Pattern { field, .. } | NormalKind::Normals { field, .. }) => {
+            if field.pattern.list_length().is_some() && word == Word::NormalMap {
+                return Err(map::for_list(vm, word, place));
+            }
+            Ok(Arc::clone(field))
+        }
+        _ => Err(vm
+            .error(place, format!("`{}` has no pattern to go by", word.text()))
+            .help("begin with a pattern such as `gradient y` or `bozo`; an image takes no map")),
+    }
+}
+
+fn check(vm: &Vm<'_>, normal: &Normal) -> Result<()> {
+    if let NormalKind::Pattern { field, .. } = &normal.kind
+        && matches!(field.pattern, Pattern::Average)
+    {
+        return Err(vm
+            .error(field.span, "`average` needs a map")
+            .help("add `normal_map { [1 …] [1 …] }` with what is to be mixed"));
+    }
+    Ok(())
+}

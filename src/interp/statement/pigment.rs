@@ -1,0 +1,197 @@
+//! `pigment { … }` and `density { … }` (docs/spec/language.md 6.9, docs/spec/patterns-textures.md 7.1).
+
+use std::sync::Arc;
+
+use super::pattern::{self, Owner};
+use super::{color, image, map};
+use crate::interp::value::Value;
+use crate::interp::{Result, Vm, Word};
+use crate::math::Rgbft;
+use crate::scene::pigment::{BlendMap, PigmentKind};
+use crate::scene::{Field, Pattern, Pigment};
+use crate::source::Span;
+
+/// Reads `pigment { … }`, whose keyword comes next, as a changed copy of `base`.
+pub(in crate::interp) fn block(vm: &mut Vm<'_>, base: &Arc<Pigment>) -> Result<Arc<Pigment>> {
+    let block = vm.enter()?;
+    let pigment = body(vm, base, Owner::Pigment)?;
+    vm.close(block)?;
+    Ok(pigment)
+}
+
+/// Reads `density { … }`, whose keyword comes next.
+pub(in crate::interp) fn density(vm: &mut Vm<'_>) -> Result<Arc<Pigment>> {
+    let block = vm.enter()?;
+    let density = body(vm, &empty(), Owner::Density)?;
+    vm.close(block)?;
+    Ok(density)
+}
+
+/// A pigment without anything: black.
+pub(in crate::interp) fn empty() -> Arc<Pigment> {
+    Arc::new(Pigment::color(Rgbft::BLACK))
+}
+
+/// Reads the inside of a pigment or density, as it also stands in a map.
+pub(super) fn body(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigment>> {
+    let named = vm.accept_value(|value| match (value, owner) {
+        (Value::Pigment(pigment), Owner::Pigment) => Some(Arc::clone(pigment)),
+        (Value::Density(density), Owner::Density) => Some(Arc::clone(density)),
+        _ => None,
+    })?;
+    let is_named = named.is_some();
+    let mut pigment = named.unwrap_or_else(|| Arc::clone(base));
+    if vm.at_color()? {
+        pigment = Arc::new(Pigment { kind: PigmentKind::Color(color::rgbft(vm)?), quick_color: pigment.quick_color });
+    } else {
+        match vm.peek_word()? {
+            Some(Word::UvMapping) => {
+                vm.next()?;
+                let inner = body(vm, base, owner)?;
+                let quick_color = inner.quick_color;
+                return Ok(Arc::new(Pigment { kind: PigmentKind::UvMapped(inner), quick_color }));
+            }
+            Some(Word::ImageMap) => {
+                let inner = vm.enter()?;
+                let map = Arc::new(image::map(vm, image::Usage::Pigment)?);
+                vm.close(inner)?;
+                let field = replaced(&pigment, Field::new(inner.span, Pattern::Image(Arc::clone(&map))));
+                Arc::make_mut(&mut pigment).kind = PigmentKind::Image { field: Arc::new(field), map };
+            }
+            Some(_) => {
+                if let Some(field) = pattern::read(vm, owner)? {
+                    pigment = with_pattern(vm, &pigment, field, owner)?;
+                }
+            }
+            None if !is_named => warn_about_missing(vm, owner)?,
+            None => {}
+        }
+    }
+    modifiers(vm, &mut pigment, owner)?;
+    check(vm, &pigment)?;
+    Ok(pigment)
+}
+
+fn warn_about_missing(vm: &mut Vm<'_>, owner: Owner) -> Result<()> {
+    use crate::interp::stream::TokenKind;
+    if matches!(vm.peek()?.kind, TokenKind::Number(_) | TokenKind::Vector(_)) && owner == Owner::Pigment {
+        let fault = vm.expected("a color or a pattern");
+        return Err(fault.help("write `rgb` or `color` before the numbers"));
+    }
+    Ok(())
+}
+
+/// A copy with another pattern: warps and modulation are kept, and a map if the new pattern takes one.
+fn with_pattern(vm: &mut Vm<'_>, base: &Pigment, field: Field, owner: Owner) -> Result<Arc<Pigment>> {
+    let field = replaced(base, field);
+    let kind = match field.pattern.list_length() {
+        Some(count) => list(vm, field, count, owner)?,
+        None => match &base.kind {
+            PigmentKind::Colors { field: old, map } if old.pattern.list_length().is_none() => {
+                PigmentKind::Colors { field: Arc::new(field), map: map.clone() }
+            }
+            PigmentKind::Pigments { field: old, map } if old.pattern.list_length().is_none() => {
+                PigmentKind::Pigments { field: Arc::new(field), map: Arc::clone(map) }
+            }
+            _ => PigmentKind::Colors { field: Arc::new(field), map: None },
+        },
+    };
+    Ok(Arc::new(Pigment { kind, quick_color: base.quick_color }))
+}
+
+/// The new pattern in the surroundings of the old one.
+fn replaced(base: &Pigment, field: Field) -> Field {
+    match base.field() {
+        Some(old) => pattern::replaced(old, field),
+        None => field,
+    }
+}
+
+/// Reads the colours or pigments of a list pattern; missing ones are the defaults.
+fn list(vm: &mut Vm<'_>, field: Field, count: usize, owner: Owner) -> Result<PigmentKind> {
+    let word = if owner == Owner::Density { Word::Density } else { Word::Pigment };
+    if vm.peek_word()? == Some(word) {
+        let default = default(vm, owner);
+        let mut entries = pattern::list(vm, &field.pattern, count, word, |vm| {
+            let inner = vm.enter()?;
+            let entry = body(vm, &default, owner)?;
+            vm.close(inner)?;
+            Ok(entry)
+        })?;
+        entries.resize(count, default);
+        return Ok(PigmentKind::Pigments { field: Arc::new(field), map: Arc::new(BlendMap::list(entries)) });
+    }
+    let colors = pattern::colors(vm, &field.pattern, count)?;
+    Ok(PigmentKind::Colors { field: Arc::new(field), map: colors.map(Arc::new) })
+}
+
+/// What entries of maps and lists start from.
+fn default(vm: &Vm<'_>, owner: Owner) -> Arc<Pigment> {
+    match owner {
+        Owner::Density => empty(),
+        _ => vm.defaults.pigment(),
+    }
+}
+
+fn modifiers(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner) -> Result<()> {
+    // A plain colour takes modifiers too, and has no use for them.
+    let mut unused = None;
+    while let Some(word) = vm.peek_word()? {
+        match word {
+            Word::ColorMap | Word::ColourMap => {
+                let place = vm.here()?;
+                let map = map::colors(vm)?;
+                let field = mapped(vm, pigment, word, place)?;
+                Arc::make_mut(pigment).kind = PigmentKind::Colors { field, map: Some(map) };
+            }
+            Word::PigmentMap | Word::DensityMap if (word == Word::DensityMap) == (owner == Owner::Density) => {
+                let place = vm.here()?;
+                let average = pigment.field().is_some_and(|field| matches!(field.pattern, Pattern::Average));
+                let map = map::pigments(vm, owner, &default(vm, owner), average)?;
+                let field = mapped(vm, pigment, word, place)?;
+                Arc::make_mut(pigment).kind = PigmentKind::Pigments { field, map };
+            }
+            Word::QuickColor | Word::QuickColour => {
+                vm.next()?;
+                Arc::make_mut(pigment).quick_color = Some(color::rgbft(vm)?);
+            }
+            _ if pattern::is_modifier(word) => match Arc::make_mut(pigment).field_mut() {
+                Some(field) => {
+                    pattern::modifier(vm, Arc::make_mut(field))?;
+                }
+                None => {
+                    let field = unused.get_or_insert_with(|| Field::new(vm.last, Pattern::Bozo));
+                    pattern::modifier(vm, field)?;
+                }
+            },
+            _ => break,
+        }
+    }
+    Ok(())
+}
+
+/// The pattern a map is written for.
+fn mapped(vm: &Vm<'_>, pigment: &Pigment, word: Word, place: Span) -> Result<Arc<Field>> {
+    match &pigment.kind {
+        PigmentKind::Colors { field, .. } | PigmentKind::Pigments { field, .. } => {
+            if field.pattern.list_length().is_some() {
+                return Err(map::for_list(vm, word, place));
+            }
+            Ok(Arc::clone(field))
+        }
+        _ => Err(vm
+            .error(place, format!("`{}` has no pattern to go by", word.text()))
+            .help("begin with a pattern such as `gradient y` or `bozo`; a plain color or an image takes no map")),
+    }
+}
+
+fn check(vm: &Vm<'_>, pigment: &Pigment) -> Result<()> {
+    if let PigmentKind::Colors { field, map: None } = &pigment.kind
+        && matches!(field.pattern, Pattern::Average)
+    {
+        return Err(vm
+            .error(field.span, "`average` needs a map")
+            .help("add `pigment_map { [1 …] [1 …] }` with what is to be mixed"));
+    }
+    Ok(())
+}
