@@ -50,6 +50,11 @@ impl Vm<'_> {
     /// Reads `function (..) {..}`; the word is peeked. Without a list the parameters are x, y, z.
     pub fn read_function(&mut self) -> Result<Function> {
         let keyword = self.next()?;
+        self.read_function_after(keyword)
+    }
+
+    /// Reads what follows the word `function`.
+    pub(super) fn read_function_after(&mut self, keyword: Token) -> Result<Function> {
         let listed = self.peek()?.kind == TokenKind::Punct(Punct::OpenParen);
         let parameters = match listed {
             true => self.read_parameters()?,

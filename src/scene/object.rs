@@ -57,7 +57,7 @@ pub struct PhotonFlags {
     pub refraction: Option<bool>,
     /// Photons go through as if the object were not there.
     pub pass_through: bool,
-    /// Whether photons are stored here; `true` unless written otherwise.
+    /// `collect off`: photons are neither stored nor gathered here.
     pub ignore_photons: bool,
 }
 

@@ -71,12 +71,48 @@ impl Pigment {
     }
 
     /// The pattern, where there is one.
+    pub fn field(&self) -> Option<&Arc<Field>> {
+        match &self.kind {
+            PigmentKind::Colors { field, .. }
+            | PigmentKind::Pigments { field, .. }
+            | PigmentKind::Image { field, .. } => Some(field),
+            PigmentKind::Color(_) | PigmentKind::UvMapped(_) => None,
+        }
+    }
+
+    /// The pattern, where there is one, to be changed.
     pub fn field_mut(&mut self) -> Option<&mut Arc<Field>> {
         match &mut self.kind {
             PigmentKind::Colors { field, .. }
             | PigmentKind::Pigments { field, .. }
             | PigmentKind::Image { field, .. } => Some(field),
             PigmentKind::Color(_) | PigmentKind::UvMapped(_) => None,
+        }
+    }
+
+    /// Turns filter into transmit everywhere, as layers of scenes up to version 3.1 have it
+    /// (docs/spec/language.md 2.11).
+    pub fn filter_to_transmit(&mut self) {
+        let convert = |color: &mut Rgbft| {
+            color.transmit += color.filter;
+            color.filter = 0.0;
+        };
+        match &mut self.kind {
+            PigmentKind::Color(color) => convert(color),
+            PigmentKind::Colors { map: Some(map), .. } => {
+                Arc::make_mut(map).entries.iter_mut().for_each(|(_, color)| convert(color));
+            }
+            PigmentKind::Pigments { map, .. } => {
+                for (_, pigment) in &mut Arc::make_mut(map).entries {
+                    Arc::make_mut(pigment).filter_to_transmit();
+                }
+            }
+            PigmentKind::Image { map, .. } => {
+                let map = Arc::make_mut(map);
+                map.transmit.append(&mut map.filter);
+            }
+            PigmentKind::UvMapped(pigment) => Arc::make_mut(pigment).filter_to_transmit(),
+            PigmentKind::Colors { map: None, .. } => {}
         }
     }
 

@@ -427,7 +427,7 @@ pub enum CsgOperation {
 }
 
 /// A `light_group`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct LightGroup {
     /// Objects and lights that see each other.
     pub objects: Vec<Arc<Object>>,

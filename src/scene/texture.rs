@@ -184,6 +184,13 @@ pub struct LegacyFinish {
     pub fade_power: Option<f32>,
 }
 
+impl LegacyFinish {
+    /// Whether anything was written.
+    pub fn is_set(&self) -> bool {
+        *self != Self::default()
+    }
+}
+
 impl Texture {
     /// A texture at its own place.
     pub fn new(body: TextureBody) -> Self {
@@ -235,6 +242,16 @@ impl Default for Reflection {
 
 impl Normal {
     /// The pattern, where there is one.
+    pub fn field(&self) -> Option<&Arc<Field>> {
+        match &self.kind {
+            NormalKind::Pattern { field, .. }
+            | NormalKind::Normals { field, .. }
+            | NormalKind::Bumps { field, .. } => Some(field),
+            NormalKind::UvMapped(_) => None,
+        }
+    }
+
+    /// The pattern, where there is one, to be changed.
     pub fn field_mut(&mut self) -> Option<&mut Arc<Field>> {
         match &mut self.kind {
             NormalKind::Pattern { field, .. }

@@ -64,7 +64,11 @@ fn item(vm: &mut Vm<'_>, fog: &mut Fog) -> Result<bool> {
             vm.next()?;
             let (kind, place) = vm.located(Vm::read_int)?;
             if !(1..=2).contains(&kind) {
-                vm.warn(place, format!("there is no fog of type {kind}"), "1 is constant, 2 lies on the ground; 1 is taken");
+                vm.warn(
+                    place,
+                    format!("there is no fog of type {kind}"),
+                    "1 is constant, 2 lies on the ground; 1 is taken",
+                );
             }
             fog.kind = if kind == 2 { 2 } else { 1 };
         }

@@ -97,7 +97,9 @@ fn repeat(vm: &mut Vm<'_>) -> Result<DVec2> {
     vm.next()?;
     let (repeat, place) = vm.located(Vm::read_uv)?;
     if repeat.min_element() <= 0.0 {
-        return Err(vm.error(place, "an image repeats more often than never").help("both numbers have to be above 0"));
+        return Err(vm
+            .error(place, "an image repeats more often than never")
+            .help("both numbers have to be above 0"));
     }
     Ok(repeat)
 }
@@ -174,7 +176,7 @@ fn file(vm: &mut Vm<'_>, usage: Usage, start: Span) -> Result<ImageOrigin> {
         }
         _ => {}
     }
-    let path = vm.find_file(&name, FileKind::Other(extensions(format)), "image", place)?;
+    let path = vm.find_file(&name, FileKind::Other(extensions(format)), place)?;
     Ok(ImageOrigin::File { format, name: name.to_string(), path })
 }
 

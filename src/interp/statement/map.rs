@@ -101,7 +101,9 @@ pub(in crate::interp) fn pigments(
     average: bool,
 ) -> Result<Arc<BlendMap<Arc<Pigment>>>> {
     let named = |value: &Value| match (value, owner) {
-        (Value::PigmentMap(map), Owner::Pigment) | (Value::DensityMap(map), Owner::Density) => Some(Arc::clone(map)),
+        (Value::PigmentMap(map), Owner::Pigment) | (Value::DensityMap(map), Owner::Density) => {
+            Some(Arc::clone(map))
+        }
         _ => None,
     };
     read(vm, named, |vm, entries| {
@@ -113,7 +115,7 @@ pub(in crate::interp) fn pigments(
 
 /// Reads a `normal_map`.
 pub(in crate::interp) fn normals(vm: &mut Vm<'_>, average: bool) -> Result<Arc<BlendMap<Arc<Normal>>>> {
-    let default = vm.defaults.normal();
+    let default = vm.state.normal();
     let named = |value: &Value| match value {
         Value::NormalMap(map) => Some(Arc::clone(map)),
         _ => None,

@@ -1,7 +1,5 @@
 //! `media { … }` (docs/spec/atmosphere-gi.md 2.1).
 
-use std::sync::Arc;
-
 use super::{color, pigment, transform};
 use crate::interp::value::Value;
 use crate::interp::{Result, Vm, Word};
@@ -66,7 +64,9 @@ fn item(vm: &mut Vm<'_>, media: &mut Media, word: Word) -> Result<bool> {
             if vm.at_number()? {
                 let (most, place) = vm.located(Vm::read_count)?;
                 if most < media.samples[0] {
-                    return Err(vm.error(place, "the most samples are fewer than the least").help("write the smaller number first"));
+                    return Err(vm
+                        .error(place, "the most samples are fewer than the least")
+                        .help("write the smaller number first"));
                 }
                 media.samples[1] = most;
             }
@@ -118,7 +118,11 @@ fn scattering(vm: &mut Vm<'_>) -> Result<Scattering> {
     let block = vm.enter()?;
     let (kind, place) = vm.located(Vm::read_int)?;
     if !(1..=5).contains(&kind) {
-        vm.warn(place, format!("there is no scattering of type {kind}"), "types are 1 to 5; light is scattered evenly");
+        vm.warn(
+            place,
+            format!("there is no scattering of type {kind}"),
+            "types are 1 to 5; light is scattered evenly",
+        );
     }
     vm.comma()?;
     let color = color::rgb(vm)?;
@@ -129,7 +133,9 @@ fn scattering(vm: &mut Vm<'_>) -> Result<Scattering> {
             Word::Eccentricity => {
                 let place = vm.next()?.span;
                 if kind != 5 {
-                    return Err(vm.error(place, format!("scattering of type {kind} has no `eccentricity`")).help("only type 5 has one"));
+                    return Err(vm
+                        .error(place, format!("scattering of type {kind} has no `eccentricity`"))
+                        .help("only type 5 has one"));
                 }
                 scattering.eccentricity = vm.read_float()? as f32;
             }
@@ -139,9 +145,4 @@ fn scattering(vm: &mut Vm<'_>) -> Result<Scattering> {
     }
     vm.close(block)?;
     Ok(scattering)
-}
-
-/// Reads the value of `#declare M = media { … }`.
-pub(super) fn value(vm: &mut Vm<'_>) -> Result<Value> {
-    Ok(Value::Media(Arc::new(block(vm)?)))
 }

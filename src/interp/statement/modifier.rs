@@ -40,9 +40,9 @@ pub(super) fn surface(vm: &mut Vm<'_>, object: &mut Object) -> Result<bool> {
         Word::UvMapping => {
             let place = vm.next()?.span;
             if object.texture.is_some() {
-                return Err(vm
-                    .error(place, "`uv_mapping` comes after the texture of this object")
-                    .help("write `uv_mapping` before the texture, or inside it: `texture { uv_mapping … }`"));
+                return Err(vm.error(place, "`uv_mapping` comes after the texture of this object").help(
+                    "write `uv_mapping` before the texture, or inside it: `texture { uv_mapping … }`",
+                ));
             }
             object.flags |= ObjectFlags::UV_MAPPING;
         }
@@ -76,7 +76,9 @@ fn flag(vm: &mut Vm<'_>, object: &mut Object) -> Result<bool> {
             let place = vm.next()?.span;
             let on = vm.read_flag()?;
             match &mut object.shape {
-                Shape::Csg(csg) if csg.operation == CsgOperation::Union => Arc::make_mut(csg).split_union = on,
+                Shape::Csg(csg) if csg.operation == CsgOperation::Union => {
+                    Arc::make_mut(csg).split_union = on
+                }
                 _ => return Err(unfit(vm, word, place, "a `union`")),
             }
             return Ok(true);
@@ -106,7 +108,9 @@ fn flag(vm: &mut Vm<'_>, object: &mut Object) -> Result<bool> {
             let who = "a `torus`, `poly`, `blob`, `lathe`, `sor`, `prism` or `ovus`";
             return Err(unfit(vm, word, place, who));
         }
-        Word::Hierarchy if !matches!(object.shape, Shape::Blob(_) | Shape::Mesh(_) | Shape::HeightField(_)) => {
+        Word::Hierarchy
+            if !matches!(object.shape, Shape::Blob(_) | Shape::Mesh(_) | Shape::HeightField(_)) =>
+        {
             return Err(unfit(vm, word, place, "a `blob`, `mesh` or `height_field`"));
         }
         _ => {
@@ -154,15 +158,7 @@ fn block(vm: &mut Vm<'_>, object: &mut Object) -> Result<bool> {
         }
         Word::Photons => photons::of_object(vm, &mut extra(object).photons)?,
         Word::Radiosity => {
-            let block = vm.enter()?;
-            while vm.accept(Word::Importance)? {
-                let (importance, place) = vm.located(Vm::read_float)?;
-                if !(importance > 0.0 && importance <= 1.0) {
-                    return Err(vm.error(place, "`importance` lies above 0 and is at most 1"));
-                }
-                extra(object).radiosity_importance = Some(importance);
-            }
-            vm.close(block)?;
+            extra(object).radiosity_importance = Some(importance(vm)?);
         }
         Word::BoundedBy | Word::ClippedBy => bounds::read(vm, object)?,
         Word::Dtag => {
@@ -172,6 +168,20 @@ fn block(vm: &mut Vm<'_>, object: &mut Object) -> Result<bool> {
         _ => return Ok(false),
     }
     Ok(true)
+}
+
+/// Reads `radiosity { importance F }`; its keyword comes next.
+pub(super) fn importance(vm: &mut Vm<'_>) -> Result<f64> {
+    let block = vm.enter()?;
+    if !vm.accept(Word::Importance)? {
+        return Err(vm.expected("`importance`"));
+    }
+    let (importance, place) = vm.located(Vm::read_float)?;
+    if !(importance > 0.0 && importance <= 1.0) {
+        return Err(vm.error(place, "`importance` lies above 0 and is at most 1"));
+    }
+    vm.close(block)?;
+    Ok(importance)
 }
 
 /// The rare modifiers of an object, made on first use.
@@ -190,7 +200,8 @@ pub(super) fn complete(vm: &mut Vm<'_>, object: &mut Object) {
 fn move_legacy_ior(object: &mut Object) {
     let Some(texture) = &object.texture else { return };
     let TextureBody::Layered(layers) = &*texture.body else { return };
-    let Some(finish) = layers.iter().rev().map(|layer| &layer.finish).find(|finish| finish.legacy.is_set()) else {
+    let Some(finish) = layers.iter().rev().map(|layer| &layer.finish).find(|finish| finish.legacy.is_set())
+    else {
         return;
     };
     let legacy = finish.legacy;

@@ -31,7 +31,12 @@ pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option
             vm.next()?;
             let Some(inner) = body(vm, base)? else { return Ok(None) };
             let Normal { amount, accuracy, no_bump_scale, .. } = *inner;
-            return Ok(Some(Arc::new(Normal { kind: NormalKind::UvMapped(inner), amount, accuracy, no_bump_scale })));
+            return Ok(Some(Arc::new(Normal {
+                kind: NormalKind::UvMapped(inner),
+                amount,
+                accuracy,
+                no_bump_scale,
+            })));
         }
         Some(Word::BumpMap) => {
             let inner = vm.enter()?;
@@ -68,7 +73,7 @@ fn with_pattern(vm: &mut Vm<'_>, base: Option<&Normal>, field: Field) -> Result<
     if let Some(count) = field.pattern.list_length()
         && vm.peek_word()? == Some(Word::Normal)
     {
-        let default = vm.defaults.normal();
+        let default = vm.state.normal();
         let mut entries = pattern::list(vm, &field.pattern, count, Word::Normal, |vm| {
             Ok(block(vm, default.as_ref())?.unwrap_or_else(flat))
         })?;

@@ -34,7 +34,11 @@ pub(super) fn of_object(vm: &mut Vm<'_>, photons: &mut Option<PhotonFlags>) -> R
             vm.warn(
                 block.span,
                 "a target of photons cannot both refract and pass them through",
-                if keeps_pass_through { "`refraction` is turned off" } else { "`pass_through` is turned off" },
+                if keeps_pass_through {
+                    "`refraction` is turned off"
+                } else {
+                    "`pass_through` is turned off"
+                },
             );
         }
     }

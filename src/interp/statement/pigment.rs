@@ -42,7 +42,10 @@ pub(super) fn body(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result
     let is_named = named.is_some();
     let mut pigment = named.unwrap_or_else(|| Arc::clone(base));
     if vm.at_color()? {
-        pigment = Arc::new(Pigment { kind: PigmentKind::Color(color::rgbft(vm)?), quick_color: pigment.quick_color });
+        pigment = Arc::new(Pigment {
+            kind: PigmentKind::Color(color::rgbft(vm)?),
+            quick_color: pigment.quick_color,
+        });
     } else {
         match vm.peek_word()? {
             Some(Word::UvMapping) => {
@@ -129,7 +132,7 @@ fn list(vm: &mut Vm<'_>, field: Field, count: usize, owner: Owner) -> Result<Pig
 fn default(vm: &Vm<'_>, owner: Owner) -> Arc<Pigment> {
     match owner {
         Owner::Density => empty(),
-        _ => vm.defaults.pigment(),
+        _ => vm.state.pigment(),
     }
 }
 
@@ -144,7 +147,9 @@ fn modifiers(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner) -> Resul
                 let field = mapped(vm, pigment, word, place)?;
                 Arc::make_mut(pigment).kind = PigmentKind::Colors { field, map: Some(map) };
             }
-            Word::PigmentMap | Word::DensityMap if (word == Word::DensityMap) == (owner == Owner::Density) => {
+            Word::PigmentMap | Word::DensityMap
+                if (word == Word::DensityMap) == (owner == Owner::Density) =>
+            {
                 let place = vm.here()?;
                 let average = pigment.field().is_some_and(|field| matches!(field.pattern, Pattern::Average));
                 let map = map::pigments(vm, owner, &default(vm, owner), average)?;
@@ -179,9 +184,9 @@ fn mapped(vm: &Vm<'_>, pigment: &Pigment, word: Word, place: Span) -> Result<Arc
             }
             Ok(Arc::clone(field))
         }
-        _ => Err(vm
-            .error(place, format!("`{}` has no pattern to go by", word.text()))
-            .help("begin with a pattern such as `gradient y` or `bozo`; a plain color or an image takes no map")),
+        _ => Err(vm.error(place, format!("`{}` has no pattern to go by", word.text())).help(
+            "begin with a pattern such as `gradient y` or `bozo`; a plain color or an image takes no map",
+        )),
     }
 }
 

@@ -44,13 +44,15 @@ pub(super) fn body(vm: &mut Vm<'_>) -> Result<Texture> {
         _ => None,
     })?;
     match named {
-        Some(texture) if !matches!(&*texture.body, TextureBody::Layered(_)) => patterned::modifiers(vm, texture),
+        Some(texture) if !matches!(&*texture.body, TextureBody::Layered(_)) => {
+            patterned::modifiers(vm, texture)
+        }
         Some(texture) => plain(vm, texture),
         None => {
             if let Some(texture) = patterned::body(vm)? {
                 return Ok(texture);
             }
-            let default = vm.defaults.texture.clone();
+            let default = vm.state.texture.clone();
             plain(vm, default)
         }
     }
@@ -81,7 +83,9 @@ fn plain(vm: &mut Vm<'_>, mut texture: Texture) -> Result<Texture> {
                 keep_bump_depth(&mut texture);
             }
             Some(word) if pattern::is_pattern(word) => {
-                return Err(vm.expected("`}`").help("the pattern of a texture comes first, before everything else"));
+                return Err(vm
+                    .expected("`}`")
+                    .help("the pattern of a texture comes first, before everything else"));
             }
             Some(_) => return Ok(texture),
             None => {
@@ -109,7 +113,7 @@ pub(super) fn apply(texture: &mut Texture, by: &Transform) {
 }
 
 fn move_layer(layer: &mut Layer, by: &Transform) {
-    if layer.pigment.is_movable() {
+    if layer.pigment.field().is_some() {
         Arc::make_mut(&mut layer.pigment).apply(by);
     }
     if let Some(normal) = &mut layer.normal {

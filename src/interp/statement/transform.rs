@@ -82,7 +82,11 @@ fn mend_columns(vm: &mut Vm<'_>, rows: &mut [f64; 12], place: Span) {
         let entries = DVec3::new(rows[column], rows[3 + column], rows[6 + column]);
         if entries.abs().max_element() < ZERO {
             rows[column * 4] = 1.0;
-            vm.warn(place, format!("column {} of this matrix is zero", column + 1), "1 is put on its diagonal");
+            vm.warn(
+                place,
+                format!("column {} of this matrix is zero", column + 1),
+                "1 is put on its diagonal",
+            );
         }
     }
 }

@@ -4,11 +4,10 @@ use super::pattern::turbulence_option;
 use crate::interp::{Result, Vm, Word};
 use crate::math::DVec3;
 use crate::scene::pattern::{BlackHole, Turbulence, Warp};
-use crate::source::Span;
 
-/// Reads the block; its keyword was taken at `keyword`.
-pub(super) fn read(vm: &mut Vm<'_>, keyword: Span) -> Result<Warp> {
-    let block = vm.open_after(Word::Warp, keyword)?;
+/// Reads the block; its keyword comes next.
+pub(super) fn read(vm: &mut Vm<'_>) -> Result<Warp> {
+    let block = vm.enter()?;
     let warp = match vm.peek_word()? {
         Some(Word::Turbulence) => turbulence(vm)?,
         Some(Word::Repeat) => repeat(vm)?,

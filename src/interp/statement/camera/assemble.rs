@@ -89,7 +89,7 @@ impl Draft {
     }
 
     /// Assembles the camera: whatever has not acted yet acts now, in the fixed order.
-    pub(super) fn finish(mut self, vm: &mut Vm<'_>, span: Span) -> Result<Camera> {
+    pub(in crate::interp::statement) fn finish(mut self, vm: &mut Vm<'_>, span: Span) -> Result<Camera> {
         if vm.version >= 350 {
             self.act_on_angle();
             let looked_at = self.look_at.map_or(DVec3::Z, |(point, _)| point);
@@ -102,7 +102,8 @@ impl Draft {
             self.act_on_focal_point();
         }
         let [direction, up, right] = [self.direction, self.up, self.right];
-        if [direction.dot(up), up.dot(right), right.dot(direction)].into_iter().any(|dot| dot.abs() > EPSILON) {
+        if [direction.dot(up), up.dot(right), right.dot(direction)].into_iter().any(|dot| dot.abs() > EPSILON)
+        {
             let help = "the picture is sheared; leave `up` and `direction` out if that is not intended";
             vm.warn(span, "the vectors of this camera are not perpendicular", help);
         }

@@ -13,7 +13,9 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<MeshCamera> {
     let (distribution, place) = vm.located(Vm::read_int)?;
     vm.comma()?;
     if !(0..=3).contains(&distribution) {
-        return Err(vm.error(place, format!("there is no mesh_camera of type {distribution}")).help("types are 0 to 3"));
+        return Err(vm
+            .error(place, format!("there is no mesh_camera of type {distribution}"))
+            .help("types are 0 to 3"));
     }
     let max_distance = if vm.at_number()? { vm.read_float()? } else { 0.0 };
     let mut camera = MeshCamera {
@@ -42,7 +44,10 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<MeshCamera> {
     };
     if rays < 1 || too_many {
         return Err(vm
-            .error(rays_place, format!("{rays} rays per pixel don't fit a mesh_camera of type {distribution}"))
+            .error(
+                rays_place,
+                format!("{rays} rays per pixel don't fit a mesh_camera of type {distribution}"),
+            )
             .help("type 0 takes at most one for each mesh, types 2 and 3 take exactly one"));
     }
     Ok(camera)

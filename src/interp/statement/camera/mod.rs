@@ -94,7 +94,15 @@ fn is_kind(word: Word) -> bool {
     use Word::*;
     matches!(
         word,
-        Perspective | Orthographic | Fisheye | UltraWideAngle | Omnimax | Panoramic | Spherical | Cylinder | MeshCamera
+        Perspective
+            | Orthographic
+            | Fisheye
+            | UltraWideAngle
+            | Omnimax
+            | Panoramic
+            | Spherical
+            | Cylinder
+            | MeshCamera
     )
 }
 
@@ -112,7 +120,9 @@ fn kind(vm: &mut Vm<'_>, draft: &mut Draft, word: Word) -> Result<bool> {
             vm.next()?;
             let (kind, place) = vm.located(Vm::read_int)?;
             if !(1..=4).contains(&kind) {
-                return Err(vm.error(place, format!("there is no cylinder camera of type {kind}")).help("types are 1 to 4"));
+                return Err(vm
+                    .error(place, format!("there is no cylinder camera of type {kind}"))
+                    .help("types are 1 to 4"));
             }
             draft.projection = Projection::Cylinder(kind as u32);
             return Ok(true);
@@ -252,7 +262,9 @@ fn blur_samples(vm: &mut Vm<'_>, draft: &mut Draft, old: bool) -> Result<()> {
         return Err(vm.error(place, "`blur_samples` is above 0"));
     }
     if least > most {
-        return Err(vm.error(place, "the least blur samples are more than the most").help("write the smaller number first"));
+        return Err(vm
+            .error(place, "the least blur samples are more than the most")
+            .help("write the smaller number first"));
     }
     draft.blur_samples = [least as u32, most as u32];
     Ok(())

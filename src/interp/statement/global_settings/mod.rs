@@ -47,7 +47,9 @@ fn item(vm: &mut Vm<'_>, word: Word) -> Result<bool> {
             vm.next()?;
             let (number, place) = vm.located(Vm::read_int)?;
             if !(1..=3).contains(&number) {
-                return Err(vm.error(place, format!("there is no noise generator {number}")).help("they are numbered 1 to 3"));
+                return Err(vm
+                    .error(place, format!("there is no noise generator {number}"))
+                    .help("they are numbered 1 to 3"));
             }
             vm.state.settings.noise_generator = number as u8;
             vm.state.has_noise_generator = true;
@@ -56,7 +58,11 @@ fn item(vm: &mut Vm<'_>, word: Word) -> Result<bool> {
         Word::HfGray16 => {
             let place = vm.next()?.span;
             vm.read_flag()?;
-            vm.possible(place, "`hf_gray_16` has no effect", "ask for a grey picture on the command line: `+FNg16`");
+            vm.possible(
+                place,
+                "`hf_gray_16` has no effect",
+                "ask for a grey picture on the command line: `+FNg16`",
+            );
         }
         Word::Subsurface => subsurface(vm)?,
         Word::Photons => vm.state.settings.photons = Some(photons::block(vm)?),
@@ -86,7 +92,9 @@ fn assumed_gamma(vm: &mut Vm<'_>) -> Result<()> {
     } else {
         let (gamma, place) = vm.located(Vm::read_float)?;
         if gamma <= 0.0 {
-            return Err(vm.error(place, "`assumed_gamma` has to be above 0").help("1 is the physically sensible value"));
+            return Err(vm
+                .error(place, "`assumed_gamma` has to be above 0")
+                .help("1 is the physically sensible value"));
         }
         if gamma < 1.0 {
             vm.possible(place, "an `assumed_gamma` below 1 is unusual", "1 is the physically sensible value");

@@ -17,7 +17,9 @@ pub(super) fn block(vm: &mut Vm<'_>) -> Result<PhotonSettings> {
                 vm.comma()?;
                 let most = vm.read_count()?;
                 if least > most {
-                    return Err(vm.error(place.to(vm.last), "the least photons to gather are more than the most"));
+                    return Err(
+                        vm.error(place.to(vm.last), "the least photons to gather are more than the most")
+                    );
                 }
                 settings.gather = [least, most];
             }

@@ -52,7 +52,9 @@ fn item(vm: &mut Vm<'_>, settings: &mut RadiositySettings, word: Word) -> Result
             }
         }
         Word::ErrorBound => settings.error_bound = checked(vm, positive, |v| v > 0.0)?,
-        Word::GrayThreshold => settings.gray_threshold = checked(vm, "it is 0 to 1", |v| (0.0..=1.0).contains(&v))?,
+        Word::GrayThreshold => {
+            settings.gray_threshold = checked(vm, "it is 0 to 1", |v| (0.0..=1.0).contains(&v))?
+        }
         Word::LowErrorFactor => settings.low_error_factor = checked(vm, positive, |v| v > 0.0)?,
         Word::MaxSample => settings.max_sample = vm.after_word(Vm::read_float)? as f32,
         Word::MaximumReuse => settings.maximum_reuse = checked(vm, positive, |v| v > 0.0)?,
@@ -64,15 +66,21 @@ fn item(vm: &mut Vm<'_>, settings: &mut RadiositySettings, word: Word) -> Result
             if vm.at_number()? {
                 let (adaptive, place) = vm.located(Vm::read_count)?;
                 if adaptive >= settings.nearest_count {
-                    return Err(vm.error(place, "the second number of `nearest_count` has to be below the first"));
+                    return Err(
+                        vm.error(place, "the second number of `nearest_count` has to be below the first")
+                    );
                 }
                 settings.adaptive_count = adaptive;
             }
         }
         Word::Normal => settings.normal = vm.after_word(Vm::read_flag)?,
-        Word::PretraceStart => settings.pretrace_start = checked(vm, "it lies above 0 and is at most 1", share)?,
+        Word::PretraceStart => {
+            settings.pretrace_start = checked(vm, "it lies above 0 and is at most 1", share)?
+        }
         Word::PretraceEnd => settings.pretrace_end = checked(vm, "it lies above 0 and is at most 1", share)?,
-        Word::RecursionLimit => settings.recursion_limit = whole(vm, "it is 1 to 20", |n| (1..=20).contains(&n))?,
+        Word::RecursionLimit => {
+            settings.recursion_limit = whole(vm, "it is 1 to 20", |n| (1..=20).contains(&n))?
+        }
         Word::Subsurface => settings.subsurface = vm.after_word(Vm::read_flag)?,
         Word::LoadFile | Word::SaveFile => {
             let place = vm.next()?.span;

@@ -14,7 +14,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
         return Err(vm.expected("`df3`"));
     }
     let (name, place) = vm.located(Vm::read_string)?;
-    let bytes = vm.read_file(&name, FileKind::Other(&[".df3", ".DF3"]), "density file", place)?;
+    let bytes = vm.load_file(&name, FileKind::Other(&[".df3", ".DF3"]), place)?;
     match decode(&bytes) {
         Some((size, values)) => {
             let file = Arc::new(DensityFile { name: name.to_string(), size, values });
@@ -29,7 +29,8 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
 /// Sizes and values: big-endian samples of 4, 2 or 1 bytes, whichever fits the length of the file.
 fn decode(bytes: &[u8]) -> Option<([usize; 3], Vec<f32>)> {
     let (header, data) = bytes.split_at_checked(6)?;
-    let size: [usize; 3] = std::array::from_fn(|i| usize::from(u16::from_be_bytes([header[2 * i], header[2 * i + 1]])));
+    let size: [usize; 3] =
+        std::array::from_fn(|i| usize::from(u16::from_be_bytes([header[2 * i], header[2 * i + 1]])));
     let count = size.iter().product::<usize>();
     let width = [4, 2, 1].into_iter().find(|width| count * width == data.len() && count > 0)?;
     let greatest = (256f64.powi(width as i32) - 1.0) as f32;

@@ -12,7 +12,11 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
         kind = match number {
             1 => FractalKind::Magnet1,
             2 => FractalKind::Magnet2,
-            _ => return Err(vm.error(place, format!("there is no `magnet {number}`")).help("write `magnet 1` or `magnet 2`")),
+            _ => {
+                return Err(vm
+                    .error(place, format!("there is no `magnet {number}`"))
+                    .help("write `magnet 1` or `magnet 2`"));
+            }
         };
     }
     let julia = if vm.accept(Word::Julia)? {

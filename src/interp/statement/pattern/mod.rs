@@ -39,8 +39,20 @@ pub(super) fn is_pattern(word: Word) -> bool {
     simple(word).is_some()
         || matches!(
             word,
-            DensityFile | Function | Gradient | ImagePattern | Julia | Magnet | Mandel | Object
-                | Pavement | PigmentPattern | Slope | Spiral1 | Spiral2 | Tiling
+            DensityFile
+                | Function
+                | Gradient
+                | ImagePattern
+                | Julia
+                | Magnet
+                | Mandel
+                | Object
+                | Pavement
+                | PigmentPattern
+                | Slope
+                | Spiral1
+                | Spiral2
+                | Tiling
         )
 }
 
@@ -97,13 +109,16 @@ pub(super) fn read(vm: &mut Vm<'_>, owner: Owner) -> Result<Option<Field>> {
         return Ok(None);
     }
     let place = vm.here()?;
-    if (owner == Owner::Function && without_function(word)) || (word == Word::Facets && owner != Owner::Normal) {
-        let (word, block) = (word.text(), if owner == Owner::Function { "a function" } else { "anything but a normal" });
+    if (owner == Owner::Function && without_function(word))
+        || (word == Word::Facets && owner != Owner::Normal)
+    {
+        let (word, block) =
+            (word.text(), if owner == Owner::Function { "a function" } else { "anything but a normal" });
         return Err(vm.error(place, format!("the pattern `{word}` cannot be used in {block}")));
     }
     let pattern = match word {
         Word::DensityFile => density_file::read(vm)?,
-        Word::Function => Pattern::Function(vm.read_function()?),
+        Word::Function => Pattern::Function(Arc::new(vm.read_function()?)),
         Word::Gradient => Pattern::Gradient(vm.after_word(Vm::read_vector)?.normalize_or_zero()),
         Word::ImagePattern => {
             let block = vm.enter()?;
@@ -139,7 +154,9 @@ fn tiling(vm: &mut Vm<'_>) -> Result<Pattern> {
     vm.next()?;
     let (number, place) = vm.located(Vm::read_int)?;
     if !(1..=27).contains(&number) {
-        return Err(vm.error(place, format!("there is no tiling {number}")).help("tilings are numbered 1 to 27"));
+        return Err(vm
+            .error(place, format!("there is no tiling {number}"))
+            .help("tilings are numbered 1 to 27"));
     }
     Ok(Pattern::Tiling(number as u32))
 }

@@ -3,7 +3,7 @@
 use super::super::{transform, warp};
 use super::fractal;
 use crate::interp::{Fault, Result, Vm, Word};
-use crate::scene::pattern::{Turbulence, Warp, Wave};
+use crate::scene::pattern::{Turbulence, Wave};
 use crate::scene::{Field, Pattern};
 use crate::source::Span;
 
@@ -14,9 +14,30 @@ pub(in crate::interp::statement) fn is_modifier(word: Word) -> bool {
         || wave(word).is_some()
         || matches!(
             word,
-            Turbulence | Octaves | Omega | Lambda | Frequency | Phase | PolyWave | NoiseGenerator | Warp | AgateTurb
-                | BrickSize | Mortar | Form | Metric | Offset | Solid | Control0 | Control1 | Size | Coords | Exponent
-                | Interior | Exterior | Interpolate
+            Turbulence
+                | Octaves
+                | Omega
+                | Lambda
+                | Frequency
+                | Phase
+                | PolyWave
+                | NoiseGenerator
+                | Warp
+                | AgateTurb
+                | BrickSize
+                | Mortar
+                | Form
+                | Metric
+                | Offset
+                | Solid
+                | Control0
+                | Control1
+                | Size
+                | Coords
+                | Exponent
+                | Interior
+                | Exterior
+                | Interpolate
         )
 }
 
@@ -46,6 +67,10 @@ pub(in crate::interp::statement) fn modifier(vm: &mut Vm<'_>, field: &mut Field)
     if !is_modifier(word) {
         return Ok(false);
     }
+    if word == Word::Warp {
+        field.warps.push(warp::read(vm)?);
+        return Ok(true);
+    }
     let place = vm.next()?.span;
     match word {
         Word::Turbulence => turbulence(field).amount = vm.read_vector()?,
@@ -59,13 +84,11 @@ pub(in crate::interp::statement) fn modifier(vm: &mut Vm<'_>, field: &mut Field)
         Word::NoiseGenerator => {
             let (number, place) = vm.located(Vm::read_int)?;
             if !(0..=3).contains(&number) {
-                return Err(vm.error(place, format!("there is no noise generator {number}")).help("they are numbered 1 to 3; 0 is the scene's"));
+                return Err(vm
+                    .error(place, format!("there is no noise generator {number}"))
+                    .help("they are numbered 1 to 3; 0 is the scene's"));
             }
             field.noise_generator = (number > 0).then_some(number as u8);
-        }
-        Word::Warp => {
-            let warp: Warp = warp::read(vm, place)?;
-            field.warps.push(warp);
         }
         _ => match wave(word) {
             Some(wave) => field.wave = wave,
@@ -81,7 +104,11 @@ fn turbulence(field: &mut Field) -> &mut Turbulence {
 }
 
 /// Reads the value of `octaves`, `omega` or `lambda`.
-pub(in crate::interp::statement) fn option(vm: &mut Vm<'_>, turbulence: &mut Turbulence, word: Word) -> Result<()> {
+pub(in crate::interp::statement) fn option(
+    vm: &mut Vm<'_>,
+    turbulence: &mut Turbulence,
+    word: Word,
+) -> Result<()> {
     match word {
         Word::Octaves => turbulence.octaves = vm.read_int()?.clamp(1, 10) as u32,
         Word::Omega => turbulence.omega = vm.read_float()? as f32,
@@ -97,7 +124,9 @@ fn own(vm: &mut Vm<'_>, field: &mut Field, word: Word, place: Span) -> Result<()
         (Pattern::Brick { size, .. }, Word::BrickSize) => *size = vm.read_vector()?,
         (Pattern::Brick { mortar, .. }, Word::Mortar) => *mortar = vm.read_float()? as f32,
         (Pattern::Crackle { form, .. }, Word::Form) => *form = vm.read_vector()?,
-        (Pattern::Crackle { metric, .. } | Pattern::Facets { metric, .. }, Word::Metric) => *metric = vm.read_float()?,
+        (Pattern::Crackle { metric, .. } | Pattern::Facets { metric, .. }, Word::Metric) => {
+            *metric = vm.read_float()?
+        }
         (Pattern::Crackle { offset, .. }, Word::Offset) => *offset = vm.read_float()?,
         (Pattern::Crackle { solid, .. }, Word::Solid) => *solid = vm.read_flag()?,
         (Pattern::Facets { size, .. }, Word::Size) => *size = vm.read_float()?,

@@ -30,11 +30,16 @@ fn check(vm: &Vm<'_>, pavement: &Pavement, place: Span) -> Result<()> {
         3 => &[1, 1, 1, 3, 4, 12],
         4 => &[1, 1, 2, 5, 12, 35],
         6 => &[1, 1, 3, 7, 22],
-        sides => return Err(vm.error(place, format!("tiles with {sides} sides don't pave a plane")).help("sides are 3, 4 or 6")),
+        sides => {
+            return Err(vm
+                .error(place, format!("tiles with {sides} sides don't pave a plane"))
+                .help("sides are 3, 4 or 6"));
+        }
     };
     let tiles = pavement.tiles;
     let Some(&most) = tiles.checked_sub(1).and_then(|index| patterns.get(index as usize)) else {
-        let message = format!("`number_of_tiles` is 1 to {} for {} sides, not {tiles}", patterns.len(), pavement.sides);
+        let message =
+            format!("`number_of_tiles` is 1 to {} for {} sides, not {tiles}", patterns.len(), pavement.sides);
         return Err(vm.error(place, message));
     };
     if !(1..=most).contains(&pavement.pattern) {

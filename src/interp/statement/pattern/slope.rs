@@ -47,7 +47,8 @@ fn direction(vm: &mut Vm<'_>, unit: bool) -> Result<DVec3> {
     if !unit {
         return Ok(direction);
     }
-    direction
-        .try_normalize()
-        .ok_or_else(|| vm.error(place, "this direction has no length").help("give the direction slopes are measured against, such as `y`"))
+    direction.try_normalize().ok_or_else(|| {
+        vm.error(place, "this direction has no length")
+            .help("give the direction slopes are measured against, such as `y`")
+    })
 }

@@ -15,7 +15,7 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
     while let Some(word) = vm.peek_word()? {
         match word {
             Word::Type => {
-                vm.skip();
+                vm.next()?;
                 kind = Some(vm.located(Vm::read_int)?);
             }
             Word::Flatness => flatness = vm.after_word(Vm::read_float)?,

@@ -24,7 +24,9 @@ pub(super) fn count(vm: &mut Vm<'_>, what: &str, spline: ContourSpline, least: [
         ContourSpline::Bezier => ("bezier_spline", least[3]),
     };
     if count < least {
-        return Err(vm.error(place, format!("a {what} with a `{name}` needs at least {least} points, not {count}")));
+        return Err(
+            vm.error(place, format!("a {what} with a `{name}` needs at least {least} points, not {count}"))
+        );
     }
     if spline == ContourSpline::Bezier && count % 4 != 0 {
         return Err(vm

@@ -25,9 +25,13 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<(Shape, ObjectFlags
         vm.comma()?;
     }
     // One object was usual in version 1 scenes (docs/spec/language.md 2.11).
-    if children.len() < 2 && vm.version() >= 150 {
+    if children.len() < 2 && vm.version >= 150 {
         let word = block.keyword.text();
-        vm.warn(block.span, format!("this `{word}` has fewer than two members"), "a single object needs none");
+        vm.warn(
+            block.span,
+            format!("this `{word}` has fewer than two members"),
+            "a single object needs none",
+        );
     }
     let textured = children.iter().any(|child| child.flags.contains(ObjectFlags::TEXTURED));
     let flags = if textured { ObjectFlags::TEXTURED } else { ObjectFlags::empty() };

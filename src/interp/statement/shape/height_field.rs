@@ -15,7 +15,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
             Word::WaterLevel => {
                 let level = vm.after_word(Vm::read_float)?;
                 // Scenes for version 1 count heights in bytes (docs/spec/language.md 2.11).
-                field.water_level = if vm.version() < 200 { level / 256.0 } else { level };
+                field.water_level = if vm.version < 200 { level / 256.0 } else { level };
             }
             Word::Smooth => field.smooth = vm.after_word(Vm::read_flag)?,
             _ => break,

@@ -26,7 +26,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
             Word::Accuracy => iso.accuracy = positive(vm, "accuracy", 0.001)?,
             Word::MaxGradient => iso.max_gradient = positive(vm, "max_gradient", 1.1)?,
             Word::Evaluate => {
-                vm.skip();
+                vm.next()?;
                 let first = vm.read_float()?;
                 vm.comma()?;
                 let second = vm.read_float()?;
@@ -34,7 +34,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
                 iso.evaluate = Some([first, second, vm.read_float()?]);
             }
             Word::MaxTrace => {
-                vm.skip();
+                vm.next()?;
                 let (count, place) = vm.located(Vm::read_int)?;
                 iso.max_trace = Some(count.clamp(1, 10) as u32);
                 if !(1..=10).contains(&count) {
@@ -43,11 +43,11 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
                 }
             }
             Word::AllIntersections => {
-                vm.skip();
+                vm.next()?;
                 iso.max_trace = None;
             }
             Word::Open => {
-                vm.skip();
+                vm.next()?;
                 iso.open = true;
             }
             _ => break,
@@ -58,7 +58,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
 
 /// A setting that must be positive; POV-Ray takes its default otherwise.
 fn positive(vm: &mut Vm<'_>, what: &str, default: f64) -> Result<f64> {
-    vm.skip();
+    vm.next()?;
     let (value, place) = vm.located(Vm::read_float)?;
     if value > 0.0 {
         return Ok(value);

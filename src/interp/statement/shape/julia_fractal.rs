@@ -23,17 +23,17 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
     while let Some(word) = vm.peek_word()? {
         match word {
             Word::Quaternion | Word::Hypercomplex => {
-                vm.skip();
+                vm.next()?;
                 julia.hypercomplex = word == Word::Hypercomplex;
             }
             Word::MaxIteration => julia.max_iteration = vm.after_word(Vm::read_count)?,
             Word::Precision => julia.precision = vm.after_word(Vm::read_float)?,
             Word::Slice => {
-                vm.skip();
+                vm.next()?;
                 julia.slice = slice(vm)?;
             }
             Word::Pwr => {
-                vm.skip();
+                vm.next()?;
                 vm.expect(crate::syntax::Punct::OpenParen)?;
                 let re = vm.read_float()?;
                 vm.comma()?;
@@ -43,7 +43,7 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
             }
             _ => match function(word) {
                 Some(function) => {
-                    vm.skip();
+                    vm.next()?;
                     julia.function = function;
                 }
                 None => break,
@@ -62,9 +62,9 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
 fn slice(vm: &mut Vm<'_>) -> Result<(DVec4, f64)> {
     let (normal, place) = vm.located(Vm::read_vec4)?;
     if normal.length() == 0.0 || normal.w == 0.0 {
-        return Err(vm
-            .error(place, "this slice is not a three-dimensional one")
-            .help("the fourth component of the slice's normal must not be zero, as in `slice <0,0,0,1>, 0`"));
+        return Err(vm.error(place, "this slice is not a three-dimensional one").help(
+            "the fourth component of the slice's normal must not be zero, as in `slice <0,0,0,1>, 0`",
+        ));
     }
     vm.comma()?;
     Ok((normal, vm.read_float()?))

@@ -127,7 +127,8 @@ impl Build {
     ) {
         let key = |v: DVec3| v.to_array().map(f64::to_bits);
         let vertices = corners.map(|v| intern(&mut self.vertices, &mut self.mesh.vertices, key(v), v));
-        let normals = normals.map(|n| n.map(|v| intern(&mut self.normals, &mut self.mesh.normals, key(v), v)));
+        let normals =
+            normals.map(|n| n.map(|v| intern(&mut self.normals, &mut self.mesh.normals, key(v), v)));
         let uvs = uvs.map(|uvs| {
             uvs.map(|v| intern(&mut self.uvs, &mut self.mesh.uvs, v.to_array().map(f64::to_bits), v))
         });
@@ -136,7 +137,12 @@ impl Build {
 }
 
 /// The place of a value in a list that keeps each once.
-fn intern<K: std::hash::Hash + Eq, V>(known: &mut FxHashMap<K, u32>, list: &mut Vec<V>, key: K, value: V) -> u32 {
+fn intern<K: std::hash::Hash + Eq, V>(
+    known: &mut FxHashMap<K, u32>,
+    list: &mut Vec<V>,
+    key: K,
+    value: V,
+) -> u32 {
     *known.entry(key).or_insert_with(|| {
         list.push(value);
         list.len() as u32 - 1

@@ -7,8 +7,8 @@ use super::reserve;
 use crate::interp::statement::texture;
 use crate::interp::{Block, Result, Vm, Word};
 use crate::math::DVec3;
-use crate::scene::shape::{Face, FaceTextures, Mesh};
 use crate::scene::Shape;
+use crate::scene::shape::{Face, FaceTextures, Mesh};
 use crate::source::Span;
 
 /// Reads the lists and joins them. Every index is checked.
@@ -20,10 +20,12 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
             Word::NormalVectors => mesh.normals = normals(vm)?,
             Word::UvVectors => mesh.uvs = list(vm, Vm::read_uv)?,
             Word::TextureList => {
-                mesh.textures = list(vm, |vm| if vm.peek_word()? == Some(Word::Texture) {
-                    texture::block(vm)
-                } else {
-                    Err(vm.expected("`texture { … }`"))
+                mesh.textures = list(vm, |vm| {
+                    if vm.peek_word()? == Some(Word::Texture) {
+                        texture::block(vm)
+                    } else {
+                        Err(vm.expected("`texture { … }`"))
+                    }
                 })?;
                 break;
             }
@@ -32,7 +34,9 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
     }
     if mesh.vertices.is_empty() {
         let fault = vm.expected("`vertex_vectors`");
-        return Err(fault.help("a mesh2 begins with its corners: `vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> }`"));
+        return Err(
+            fault.help("a mesh2 begins with its corners: `vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> }`")
+        );
     }
     if vm.peek_word()? != Some(Word::FaceIndices) {
         return Err(vm.expected("`face_indices`"));
@@ -43,7 +47,9 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
         match word {
             Word::UvIndices => {
                 let count = mesh.uvs.len();
-                let given = indices(vm, "uv_vectors", count, mesh.faces.len(), &mut |face, i| mesh.faces[face].uvs = Some(i))?;
+                let given = indices(vm, "uv_vectors", count, mesh.faces.len(), &mut |face, i| {
+                    mesh.faces[face].uvs = Some(i)
+                })?;
                 if given != mesh.faces.len() {
                     let message = format!("{given} uv_indices for {} faces", mesh.faces.len());
                     return Err(vm.error(vm.last, message).help("give one entry for each face"));
@@ -53,7 +59,9 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
             Word::NormalIndices => {
                 let count = mesh.normals.len();
                 let limit = mesh.faces.len();
-                indices(vm, "normal_vectors", count, limit, &mut |face, i| mesh.faces[face].normals = Some(i))?;
+                indices(vm, "normal_vectors", count, limit, &mut |face, i| {
+                    mesh.faces[face].normals = Some(i)
+                })?;
                 has_normals = true;
             }
             _ => break,
@@ -74,7 +82,7 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
 }
 
 /// Reads `word { n, entry, … }`.
-fn list<T>(vm: &mut Vm<'_>, mut read: impl FnMut(&mut Vm<'_>) -> Result<T>) -> Result<Vec<T>> {
+fn list<'v, T>(vm: &mut Vm<'v>, mut read: impl FnMut(&mut Vm<'v>) -> Result<T>) -> Result<Vec<T>> {
     let block = vm.enter()?;
     let count = length(vm)?;
     let mut entries = Vec::with_capacity(reserve(count));
@@ -106,7 +114,7 @@ fn normals(vm: &mut Vm<'_>) -> Result<Vec<DVec3>> {
 
 fn faces(vm: &mut Vm<'_>, mesh: &Mesh) -> Result<Vec<Face>> {
     let (corners, textures) = (mesh.vertices.len(), mesh.textures.len());
-    let mut read = |vm: &mut Vm<'_>| {
+    let read = |vm: &mut Vm<'_>| {
         let vertices = three(vm, "vertex_vectors", corners)?;
         let mut chosen = FaceTextures::Inherited;
         if textures > 0 {
@@ -181,12 +189,12 @@ fn three(vm: &mut Vm<'_>, what: &str, count: usize) -> Result<[u32; 3]> {
 fn check(vm: &Vm<'_>, what: &str, count: usize, index: i32, start: Span) -> Result<u32> {
     match u32::try_from(index) {
         Ok(index) if (index as usize) < count => Ok(index),
-        _ => Err(vm
-            .error(start.to(vm.last), format!("there is no entry {index} in `{what}`"))
-            .help(match count {
+        _ => Err(vm.error(start.to(vm.last), format!("there is no entry {index} in `{what}`")).help(
+            match count {
                 0 => format!("this mesh2 has no `{what}`"),
                 _ => format!("it has entries 0 to {}", count - 1),
-            })),
+            },
+        )),
     }
 }
 

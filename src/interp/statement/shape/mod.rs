@@ -43,10 +43,41 @@ pub(super) fn is_shape(word: Word) -> bool {
     use Word::*;
     matches!(
         word,
-        BicubicPatch | Blob | Box | Composite | Cone | Cubic | Cylinder | Difference | Disc | HeightField
-            | Intersection | Isosurface | JuliaFractal | Lathe | Merge | Mesh | Mesh2 | Ovus | Parametric
-            | Plane | Poly | Polygon | Polynomial | Prism | Quadric | Quartic | SmoothTriangle | Sor | Sphere
-            | SphereSweep | Superellipsoid | Text | Torus | Triangle | Union
+        BicubicPatch
+            | Blob
+            | Box
+            | Composite
+            | Cone
+            | Cubic
+            | Cylinder
+            | Difference
+            | Disc
+            | HeightField
+            | Intersection
+            | Isosurface
+            | JuliaFractal
+            | Lathe
+            | Merge
+            | Mesh
+            | Mesh2
+            | Ovus
+            | Parametric
+            | Plane
+            | Poly
+            | Polygon
+            | Polynomial
+            | Prism
+            | Quadric
+            | Quartic
+            | SmoothTriangle
+            | Sor
+            | Sphere
+            | SphereSweep
+            | Superellipsoid
+            | Text
+            | Torus
+            | Triangle
+            | Union
     )
 }
 
@@ -89,7 +120,11 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<(Shape, ObjectFlags
 }
 
 /// Reads `count` entries with commas before, between and after them, where written.
-fn points<T>(vm: &mut Vm<'_>, count: usize, mut read: impl FnMut(&mut Vm<'_>) -> Result<T>) -> Result<Vec<T>> {
+fn points<'v, T>(
+    vm: &mut Vm<'v>,
+    count: usize,
+    mut read: impl FnMut(&mut Vm<'v>) -> Result<T>,
+) -> Result<Vec<T>> {
     let mut points = Vec::with_capacity(reserve(count));
     for _ in 0..count {
         vm.comma()?;
@@ -119,7 +154,7 @@ fn uvs<const N: usize>(vm: &mut Vm<'_>) -> Result<[DVec2; N]> {
 /// Reads `function { … }` of an isosurface or a parametric surface: parameters are x, y, z.
 fn function(vm: &mut Vm<'_>) -> Result<Arc<Function>> {
     match vm.peek_word()? {
-        Some(Word::Function) => vm.read_function(),
+        Some(Word::Function) => Ok(Arc::new(vm.read_function()?)),
         _ => Err(vm.expected("`function { … }`")),
     }
 }

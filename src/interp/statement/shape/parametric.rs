@@ -8,7 +8,7 @@ use crate::scene::{Shape, shape::Parametric};
 
 /// Reads functions, ranges (sorted) and settings.
 pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
-    let mut function = |vm: &mut Vm<'_>| -> Result<_> {
+    let function = |vm: &mut Vm<'_>| -> Result<_> {
         let function = super::function(vm)?;
         vm.comma()?;
         Ok(function)
@@ -32,7 +32,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
             Word::Accuracy => surface.accuracy = vm.after_word(Vm::read_float)?,
             Word::MaxGradient => surface.max_gradient = vm.after_word(Vm::read_float)?,
             Word::Precompute => {
-                vm.skip();
+                vm.next()?;
                 let depth = vm.read_count()?;
                 let mut axes = [false; 3];
                 for (axis, word) in axes.iter_mut().zip([Word::X, Word::Y, Word::Z]) {

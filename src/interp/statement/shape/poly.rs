@@ -62,7 +62,7 @@ fn count(order: u32) -> usize {
 
 fn coefficients(vm: &mut Vm<'_>, order: u32) -> Result<Vec<f64>> {
     let count = count(order);
-    vm.components(count)
+    vm.read_components(count)
 }
 
 /// The place of x^i y^j z^k: terms are sorted by falling powers of x, then of y, then of z.
@@ -82,8 +82,16 @@ mod tests {
     fn terms_stand_in_the_order_of_the_quadratic_form() {
         // poly { 2, <x², xy, xz, x, y², yz, y, z², z, 1> }
         let powers = [
-            [2, 0, 0], [1, 1, 0], [1, 0, 1], [1, 0, 0], [0, 2, 0],
-            [0, 1, 1], [0, 1, 0], [0, 0, 2], [0, 0, 1], [0, 0, 0],
+            [2, 0, 0],
+            [1, 1, 0],
+            [1, 0, 1],
+            [1, 0, 0],
+            [0, 2, 0],
+            [0, 1, 1],
+            [0, 1, 0],
+            [0, 0, 2],
+            [0, 0, 1],
+            [0, 0, 0],
         ];
         for (place, powers) in powers.into_iter().enumerate() {
             assert_eq!(index(2, powers), place, "{powers:?}");

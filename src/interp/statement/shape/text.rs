@@ -13,7 +13,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
         Some(Word::Ttf) => {
             vm.next()?;
             let (name, place) = vm.located(Vm::read_string)?;
-            let path = vm.find_file(&name, FileKind::Other(&[".ttf", ".TTF"]), "font", place)?;
+            let path = vm.find_file(&name, FileKind::Other(&[".ttf", ".TTF"]), place)?;
             Font::File(name.to_string(), path)
         }
         Some(Word::Internal) => Font::Internal(vm.after_word(Vm::read_count)?),

@@ -30,7 +30,7 @@ pub(in crate::interp::statement) fn layer(
     match Arc::make_mut(&mut lower.body) {
         TextureBody::Layered(layers) => {
             // Before version 3.2 a layer's filter let light through unchanged (docs/spec/language.md 2.11).
-            let old = vm.version() <= 310;
+            let old = vm.version <= 310;
             layers.extend(added.iter().map(|layer| {
                 let mut layer = layer.clone();
                 if old {
@@ -69,7 +69,7 @@ pub(super) fn top<'t>(vm: &Vm<'_>, texture: &'t mut Texture) -> Result<&'t mut L
 /// Reads `pigment`, `normal` or `finish` of an object: it makes or changes the top layer of its texture.
 pub(in crate::interp::statement) fn part(vm: &mut Vm<'_>, texture: &mut Option<Texture>) -> Result<()> {
     let keyword = vm.peek()?;
-    let default = |vm: &Vm<'_>| match &*vm.defaults.texture.body {
+    let default = |vm: &Vm<'_>| match &*vm.state.texture.body {
         TextureBody::Layered(layers) => layers.last().cloned(),
         _ => None,
     };

@@ -34,7 +34,7 @@ fn with_field(vm: &mut Vm<'_>, field: Field) -> Result<Texture> {
     if let Some(count) = field.pattern.list_length() {
         let mut entries = pattern::list(vm, &field.pattern, count, Word::Texture, block)?;
         while entries.len() < count {
-            entries.push(vm.defaults.texture.clone());
+            entries.push(vm.state.texture.clone());
         }
         map = Some(Arc::new(BlendMap::list(entries)));
     }
@@ -60,9 +60,9 @@ fn with_field(vm: &mut Vm<'_>, field: Field) -> Result<Texture> {
     }
     match map {
         Some(map) => Ok(Texture::new(TextureBody::Patterned { field: Arc::new(field), map, no_bump_scale })),
-        None => Err(vm
-            .error(span, "a texture with a pattern needs textures to choose from")
-            .help("add `texture_map { [0 …] [1 …] }`; for a coloured pattern write `pigment { … }` around it")),
+        None => Err(vm.error(span, "a texture with a pattern needs textures to choose from").help(
+            "add `texture_map { [0 …] [1 …] }`; for a coloured pattern write `pigment { … }` around it",
+        )),
     }
 }
 
