@@ -80,7 +80,12 @@ impl Vm<'_> {
         loop {
             let token = if parts > 0 && self.blocked { self.peek_raw() } else { self.peek()? };
             let word = match token.kind {
-                TokenKind::Word(word) => word,
+                TokenKind::Word(word) if parts > 0 || is_keyword(word) => word,
+                _ if parts == 0 => {
+                    c = self.full(n)?.padded(n).c;
+                    parts = 1;
+                    continue;
+                }
                 _ => break,
             };
             if let Some((wanted, encoded)) = form(word).filter(|_| parts == 0) {
@@ -100,10 +105,6 @@ impl Vm<'_> {
                 break;
             }
             parts += 1;
-        }
-        if parts == 0 {
-            let value = self.full(n)?;
-            c = value.padded(n).c;
         }
         Ok(Tuple { n: 5, c: c.map(|c| f64::from(c as f32)) })
     }

@@ -51,6 +51,8 @@ impl Vm<'_> {
             }
         };
         let ends = value.ends_with_semicolon;
+        // A macro whose body ended with the value is left first: the name belongs to its caller.
+        self.peek_raw();
         self.assign(&target, value.value, local)?;
         if let (Some(note), true) = (note, fresh) {
             let message = note.message.unwrap_or_else(|| {

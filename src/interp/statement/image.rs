@@ -160,13 +160,18 @@ fn file(vm: &mut Vm<'_>, usage: Usage, start: Span) -> Result<ImageOrigin> {
         format = Some(named);
     }
     let (name, place) = vm.located(Vm::read_file_name)?;
-    let format = match format.or_else(|| format_of_name(&name)) {
-        Some(format) => format,
-        None => {
-            return Err(vm
-                .error(place, format!("the name `{name}` does not tell what format the image has"))
-                .help("write the format before it, such as `png`"));
-        }
+    let format = match (format, name.rsplit_once('.')) {
+        (Some(format), _) => format,
+        // A bare name means a file of the kind pictures are written as, which is PNG unless set otherwise.
+        (None, None) => ImageFormat::Png,
+        (None, Some((_, extension))) => match format_of_extension(extension) {
+            Some(format) => format,
+            None => {
+                return Err(vm
+                    .error(place, format!("`{extension}` is no kind of image known here"))
+                    .help("write the format before the name, such as `png`"));
+            }
+        },
     };
     match (format, usage) {
         (ImageFormat::Pot, Usage::HeightField) => {}
@@ -201,9 +206,8 @@ fn format_of_word(word: Word) -> Option<ImageFormat> {
 }
 
 /// The format an extension stands for.
-fn format_of_name(name: &str) -> Option<ImageFormat> {
+fn format_of_extension(extension: &str) -> Option<ImageFormat> {
     use ImageFormat::*;
-    let (_, extension) = name.rsplit_once('.')?;
     Some(match extension.to_ascii_lowercase().as_str() {
         "gif" => Gif,
         "tga" => Tga,
