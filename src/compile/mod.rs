@@ -1,9 +1,16 @@
 //! From the description of a scene to the compiled world.
 
 pub mod camera;
+pub mod function;
+pub mod image;
 pub mod interior;
 pub mod light;
+pub mod normal;
+pub mod pattern;
+pub mod pigment;
 pub mod shape;
+mod tape;
+pub mod texture;
 
 use std::fmt;
 

@@ -3,6 +3,7 @@
 pub mod bounds;
 pub mod color;
 pub mod gamma;
+pub mod noise;
 pub mod roots;
 pub mod spline;
 pub mod transform;
@@ -11,4 +12,5 @@ pub use bounds::Bounds;
 pub use color::{Rgb, Rgbft};
 pub use gamma::Gamma;
 pub use glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
+pub use spline::Spline;
 pub use transform::Transform;

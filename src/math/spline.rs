@@ -1,155 +1,213 @@
-//! Curves through points, docs/spec/language.md 5.
+//! Splines through points with up to five components (docs/spec/language.md 5).
 
-/// How the points of a spline are joined.
+/// How points are joined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-#[expect(missing_docs, reason = "the language's own words")]
 pub enum SplineKind {
+    /// `linear_spline`.
     #[default]
     Linear,
+    /// `quadratic_spline`.
     Quadratic,
+    /// `cubic_spline`, Catmull and Rom's.
     Cubic,
+    /// `natural_spline`: the second derivative is continuous, and 0 at both ends.
     Natural,
 }
 
-/// A point: its key, and up to five components.
-type Point = (f64, [f64; 5]);
+/// A value: the components not in use are 0.
+pub type Value = [f64; 5];
 
-/// The value at `p` of a spline through points sorted by strictly growing keys. Without a point
-/// it is zero.
-pub fn evaluate(kind: SplineKind, points: &[Point], p: f64) -> [f64; 5] {
-    let [first, .., last] = points else {
-        return points.first().map_or([0.0; 5], |point| point.1);
-    };
-    if kind == SplineKind::Cubic {
-        return cubic(points, p);
-    }
-    if p <= first.0 {
-        return first.1;
-    }
-    if p >= last.0 {
-        return last.1;
-    }
-    let i = segment(points, p);
-    match kind {
-        SplineKind::Quadratic if points.len() > 2 => parabola(&points[i.max(1) - 1..], p),
-        SplineKind::Natural => natural(points, i, p),
-        _ => linear(&points[i], &points[i + 1], p),
-    }
+/// The value at `p` of a spline through points sorted by rising key; zero without a point.
+/// For many values of one spline, make a [`Spline`].
+pub fn evaluate(kind: SplineKind, points: &[(f64, Value)], p: f64) -> Value {
+    Spline::new(kind, points, 5).map_or([0.0; 5], |spline| spline.at(p))
 }
 
-/// The segment `p` lies in: after the point with this index. `p` lies between the ends.
-fn segment(points: &[Point], p: f64) -> usize {
-    points.partition_point(|point| point.0 < p).clamp(1, points.len() - 1) - 1
+/// A spline ready to be evaluated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spline {
+    kind: SplineKind,
+    keys: Box<[f64]>,
+    values: Box<[Value]>,
+    /// Second derivatives of a natural spline at its points.
+    bends: Box<[Value]>,
+    size: usize,
 }
 
-fn each(f: impl Fn(usize) -> f64) -> [f64; 5] {
-    std::array::from_fn(f)
-}
-
-fn linear(a: &Point, b: &Point, p: f64) -> [f64; 5] {
-    let t = (p - a.0) / (b.0 - a.0);
-    each(|c| a.1[c] + t * (b.1[c] - a.1[c]))
-}
-
-/// The parabola through the first three points, by Lagrange's weights.
-fn parabola(points: &[Point], p: f64) -> [f64; 5] {
-    let [a, b, c] = [&points[0], &points[1], &points[2]];
-    let weight = |at: f64, m: f64, n: f64| (p - m) * (p - n) / ((at - m) * (at - n));
-    let (wa, wb, wc) = (weight(a.0, b.0, c.0), weight(b.0, a.0, c.0), weight(c.0, a.0, b.0));
-    each(|i| wa * a.1[i] + wb * b.1[i] + wc * c.1[i])
-}
-
-/// The cubic spline whose curvature is zero at both ends.
-fn natural(points: &[Point], i: usize, p: f64) -> [f64; 5] {
-    let h = points[i + 1].0 - points[i].0;
-    let d = p - points[i].0;
-    each(|c| {
-        let m = curvatures(points, c);
-        let (a, b) = (points[i].1[c], points[i + 1].1[c]);
-        let slope = (b - a) / h - h * (m[i + 1] + 2.0 * m[i]) / 6.0;
-        a + d * (slope + d * (m[i] / 2.0 + d * (m[i + 1] - m[i]) / (6.0 * h)))
-    })
-}
-
-/// Second derivatives at the points: solves the tridiagonal system by elimination.
-fn curvatures(points: &[Point], c: usize) -> Vec<f64> {
-    let n = points.len() - 1;
-    let h = |k: usize| points[k + 1].0 - points[k].0;
-    let slope = |k: usize| (points[k + 1].1[c] - points[k].1[c]) / h(k);
-    let (mut factor, mut right) = (vec![0.0; n + 1], vec![0.0; n + 1]);
-    for k in 1..n {
-        let pivot = 2.0 * (h(k - 1) + h(k)) - h(k - 1) * factor[k - 1];
-        factor[k] = h(k) / pivot;
-        right[k] = (6.0 * (slope(k) - slope(k - 1)) - h(k - 1) * right[k - 1]) / pivot;
+impl Spline {
+    /// Points sorted by rising key; `size` components of each are in use. `None` without points.
+    pub fn new(kind: SplineKind, points: &[(f64, Value)], size: usize) -> Option<Self> {
+        let keys: Box<[f64]> = points.iter().map(|point| point.0).collect();
+        let values: Box<[Value]> = points.iter().map(|point| point.1).collect();
+        let bends = if kind == SplineKind::Natural { natural_bends(&keys, &values) } else { Box::default() };
+        (!keys.is_empty()).then_some(Self { kind, keys, values, bends, size: size.min(5) })
     }
-    for k in (1..n).rev() {
-        right[k] -= factor[k] * right[k + 1];
-    }
-    right
-}
 
-/// Catmull-Rom: defined between the second point and the last but one.
-fn cubic(points: &[Point], p: f64) -> [f64; 5] {
-    let n = points.len() - 1;
-    if n == 1 {
-        return each(|c| (points[0].1[c] + points[1].1[c]) / 2.0);
+    /// Components in use.
+    pub fn size(&self) -> usize {
+        self.size
     }
-    if p <= points[1].0 {
-        return points[1].1;
+
+    /// The value at `p`.
+    pub fn at(&self, p: f64) -> Value {
+        let last = self.keys.len() - 1;
+        let (keys, values) = (&self.keys, &self.values);
+        if last == 0 {
+            return values[0];
+        }
+        if self.kind == SplineKind::Cubic {
+            return self.cubic(p);
+        }
+        if p <= keys[0] {
+            return values[0];
+        }
+        if p >= keys[last] {
+            return values[last];
+        }
+        let i = self.segment(p);
+        match self.kind {
+            SplineKind::Natural => self.natural(i, p),
+            SplineKind::Quadratic if last > 1 => self.parabola(i.max(1), p),
+            _ => {
+                let share = p - keys[i];
+                let width = keys[i + 1] - keys[i];
+                each(|c| values[i][c] + share * (values[i + 1][c] - values[i][c]) / width)
+            }
+        }
     }
-    if p > points[n - 1].0 {
-        return points[n - 1].1;
+
+    /// The i for which key i < p ≤ key i+1.
+    fn segment(&self, p: f64) -> usize {
+        self.keys.partition_point(|key| *key < p).clamp(1, self.keys.len() - 1) - 1
     }
-    let i = segment(points, p);
-    let dt = points[i + 1].0 - points[i].0;
-    let u = (p - points[i].0) / dt;
-    each(|c| {
-        let rise = |k: usize| (points[k + 1].1[c] - points[k].1[c]) / (points[k + 1].0 - points[k].0);
-        let slope = |k: usize| (rise(k - 1) + rise(k)) / 2.0;
-        let (a, b) = (points[i].1[c], points[i + 1].1[c]);
+
+    /// The parabola through the points around `middle`.
+    fn parabola(&self, middle: usize, p: f64) -> Value {
+        let [t0, t1, t2] = [0, 1, 2].map(|k| self.keys[middle + k - 1]);
+        let w0 = (p - t1) * (p - t2) / ((t0 - t1) * (t0 - t2));
+        let w1 = (p - t0) * (p - t2) / ((t1 - t0) * (t1 - t2));
+        let w2 = (p - t0) * (p - t1) / ((t2 - t0) * (t2 - t1));
+        let [a, b, c] = [0, 1, 2].map(|k| &self.values[middle + k - 1]);
+        each(|k| a[k] * w0 + b[k] * w1 + c[k] * w2)
+    }
+
+    fn natural(&self, i: usize, p: f64) -> Value {
+        let (d, h) = (p - self.keys[i], self.keys[i + 1] - self.keys[i]);
+        let [(v0, m0), (v1, m1)] = [i, i + 1].map(|k| (&self.values[k], &self.bends[k]));
+        each(|c| {
+            let slope = (v1[c] - v0[c]) / h - h * (m1[c] + 2.0 * m0[c]) / 6.0;
+            v0[c] + d * (slope + d * (m0[c] / 2.0 + d * (m1[c] - m0[c]) / (6.0 * h)))
+        })
+    }
+
+    fn cubic(&self, p: f64) -> Value {
+        let (keys, values) = (&self.keys, &self.values);
+        let last = keys.len() - 1;
+        if last == 1 {
+            return each(|c| 0.5 * (values[0][c] + values[1][c]));
+        }
+        if p <= keys[1] {
+            return values[1];
+        }
+        if p > keys[last - 1] {
+            return values[last - 1];
+        }
+        let i = self.segment(p);
+        let width = keys[i + 1] - keys[i];
+        let u = (p - keys[i]) / width;
+        let slope = |k: usize, c: usize| {
+            let before = (values[k][c] - values[k - 1][c]) / (keys[k] - keys[k - 1]);
+            let after = (values[k + 1][c] - values[k][c]) / (keys[k + 1] - keys[k]);
+            0.5 * (before + after)
+        };
         let (u2, u3) = (u * u, u * u * u);
-        a * (2.0 * u3 - 3.0 * u2 + 1.0)
-            + b * (3.0 * u2 - 2.0 * u3)
-            + dt * slope(i) * (u3 - 2.0 * u2 + u)
-            + dt * slope(i + 1) * (u3 - u2)
-    })
+        each(|c| {
+            values[i][c] * (2.0 * u3 - 3.0 * u2 + 1.0)
+                + values[i + 1][c] * (3.0 * u2 - 2.0 * u3)
+                + width * slope(i, c) * (u3 - 2.0 * u2 + u)
+                + width * slope(i + 1, c) * (u3 - u2)
+        })
+    }
+}
+
+fn each(component: impl Fn(usize) -> f64) -> Value {
+    std::array::from_fn(component)
+}
+
+/// Solves the tridiagonal system for the second derivatives.
+fn natural_bends(keys: &[f64], values: &[Value]) -> Box<[Value]> {
+    let n = keys.len();
+    let mut bends = vec![[0.0; 5]; n];
+    let mut ratios = vec![0.0; n];
+    for k in 1..n.saturating_sub(1) {
+        let (before, after) = (keys[k] - keys[k - 1], keys[k + 1] - keys[k]);
+        let pivot = 2.0 * (before + after) - before * ratios[k - 1];
+        ratios[k] = after / pivot;
+        bends[k] = each(|c| {
+            let rise = (values[k + 1][c] - values[k][c]) / after - (values[k][c] - values[k - 1][c]) / before;
+            (6.0 * rise - before * bends[k - 1][c]) / pivot
+        });
+    }
+    for k in (1..n.saturating_sub(1)).rev() {
+        bends[k] = each(|c| bends[k][c] - ratios[k] * bends[k + 1][c]);
+    }
+    bends.into()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const POINTS: [Point; 5] = [
-        (0.0, [0.0; 5]),
-        (1.0, [1.0, 2.0, 3.0, 0.0, 0.0]),
-        (3.0, [5.0, 0.0, 0.0, 0.0, 0.0]),
-        (4.0, [1.0, 1.0, 1.0, 0.0, 0.0]),
-        (6.0, [2.0, 2.0, 2.0, 0.0, 0.0]),
+    const K: [(f64, [f64; 3]); 5] = [
+        (0.0, [0.0, 0.0, 0.0]),
+        (1.0, [1.0, 2.0, 3.0]),
+        (3.0, [5.0, 0.0, 0.0]),
+        (4.0, [1.0, 1.0, 1.0]),
+        (6.0, [2.0, 2.0, 2.0]),
     ];
 
-    fn check(kind: SplineKind, points: &[Point], cases: &[(f64, [f64; 3])]) {
-        for &(p, wanted) in cases {
-            let found = evaluate(kind, points, p);
-            for c in 0..3 {
-                assert!((found[c] - wanted[c]).abs() < 1e-9, "{kind:?} at {p}: {found:?}, not {wanted:?}");
+    fn check(kind: SplineKind, points: usize, expected: &[(f64, [f64; 3])]) {
+        let points: Vec<_> = K[..points].iter().map(|&(key, [x, y, z])| (key, [x, y, z, 0.0, 0.0])).collect();
+        let spline = Spline::new(kind, &points, 3).unwrap();
+        for (p, expected) in expected {
+            for (found, expected) in spline.at(*p).iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-9, "{kind:?} at {p}: {found} is not {expected}");
             }
         }
     }
 
+    /// docs/spec/language.md 5.
     #[test]
-    fn each_kind_gives_what_pov_ray_gives() {
-        let four = &POINTS[..4];
-        check(SplineKind::Linear, four, &[(2.0, [3.0, 1.0, 1.5]), (-1.0, [0.0; 3]), (9.0, [1.0; 3])]);
-        let parabola = [(0.5, [0.416666666667, 1.25, 1.875]), (2.0, [2.666666666667, 2.0, 3.0])];
-        check(SplineKind::Quadratic, four, &parabola);
-        let natural = [(0.5, [0.2890625, 1.2578125, 1.875]), (3.5, [3.4453125, 0.2890625, 0.21875])];
-        check(SplineKind::Natural, four, &natural);
-        let cubic = [(0.5, [1.0, 2.0, 3.0]), (2.0, [3.625, 1.125, 1.75]), (5.0, [1.0; 3])];
-        check(SplineKind::Cubic, &POINTS, &cubic);
-    }
-
-    #[test]
-    fn a_cubic_through_two_points_is_their_middle_everywhere() {
-        check(SplineKind::Cubic, &POINTS[..2], &[(0.25, [0.5, 1.0, 1.5]), (7.0, [0.5, 1.0, 1.5])]);
+    fn splines_are_povrays() {
+        check(SplineKind::Linear, 4, &[(2.0, [3.0, 1.0, 1.5]), (-1.0, [0.0; 3]), (9.0, [1.0; 3])]);
+        check(
+            SplineKind::Quadratic,
+            4,
+            &[
+                (0.5, [0.416666666667, 1.25, 1.875]),
+                (2.0, [2.666666666667, 2.0, 3.0]),
+                (3.5, [3.5, 0.333333333333, 0.291666666667]),
+            ],
+        );
+        check(
+            SplineKind::Natural,
+            4,
+            &[
+                (0.5, [0.2890625, 1.2578125, 1.875]),
+                (2.0, [3.9375, 1.1875, 1.875]),
+                (3.5, [3.4453125, 0.2890625, 0.21875]),
+            ],
+        );
+        check(
+            SplineKind::Cubic,
+            5,
+            &[
+                (0.5, [1.0, 2.0, 3.0]),
+                (2.0, [3.625, 1.125, 1.75]),
+                (3.5, [3.09375, 0.40625, 0.375]),
+                (5.0, [1.0; 3]),
+            ],
+        );
+        check(SplineKind::Cubic, 2, &[(0.25, [0.5, 1.0, 1.5])]);
     }
 }

@@ -1,0 +1,181 @@
+//! Compiles user functions: expression trees become tapes (docs/spec/language.md 4).
+
+use std::sync::Arc;
+
+use super::Unsupported;
+use super::tape::Writer;
+use super::texture::{DEEPEST, TextureCompiler};
+use crate::math::Spline;
+use crate::math::spline::SplineKind as Kind;
+use crate::scene;
+use crate::scene::function::FunctionBody;
+use crate::scene::settings::Settings;
+use crate::scene::spline::SplineKind;
+use crate::world::function::{Body, Function, Internal};
+
+/// A function by itself, with the default settings: what the language calls while a scene is read.
+///
+/// # Errors
+/// What it uses that povista lacks, or a file that can't be read.
+pub fn function(function: &Arc<scene::Function>) -> Result<Arc<Function>, Unsupported> {
+    TextureCompiler::new(&Settings::default()).function(function)
+}
+
+/// A spline ready to be evaluated.
+pub fn spline(spline: &scene::Spline) -> Option<Spline> {
+    let joint = match spline.kind {
+        SplineKind::Linear => Kind::Linear,
+        SplineKind::Quadratic => Kind::Quadratic,
+        SplineKind::Cubic => Kind::Cubic,
+        SplineKind::Natural => Kind::Natural,
+    };
+    Spline::new(joint, &spline.points, spline.size)
+}
+
+impl TextureCompiler<'_> {
+    /// A function with the settings of the scene.
+    ///
+    /// # Errors
+    /// What it uses that povista lacks, or a file that can't be read.
+    pub fn function(&mut self, function: &Arc<scene::Function>) -> Result<Arc<Function>, Unsupported> {
+        if let Some((_, compiled)) = self.functions.get(&Arc::as_ptr(function)) {
+            return Ok(compiled.clone());
+        }
+        let (body, depth) = self.nested(function.span, |this| this.function_body(function))?;
+        if depth > DEEPEST {
+            return Err(Unsupported::new(
+                function.span,
+                format!("more than {DEEPEST} functions inside each other"),
+            ));
+        }
+        let compiled = Arc::new(Function { parameters: function.parameters, depth, body });
+        self.functions.insert(Arc::as_ptr(function), (function.clone(), compiled.clone()));
+        Ok(compiled)
+    }
+
+    /// The body, and how many functions deep it calls.
+    fn function_body(&mut self, function: &scene::Function) -> Result<(Body, u32), Unsupported> {
+        let body = match &function.body {
+            FunctionBody::Expression(expression) => {
+                let (tape, depth) = Writer::new(self, function).tape(expression)?;
+                return Ok((Body::Tape(tape), depth));
+            }
+            FunctionBody::Internal(number) => {
+                let internal = Internal::new(*number, self.settings.noise_generator);
+                let message = format!("there is no `internal({number})`");
+                Body::Internal(internal.ok_or_else(|| Unsupported::broken(function.span, message))?)
+            }
+            FunctionBody::Pattern(field) => Body::Pattern(Arc::new(self.pattern(field)?)),
+            FunctionBody::Pigment(pigment) => Body::Pigment(self.pigment(pigment)?),
+            FunctionBody::Transform(transform) => Body::Transform(Box::new(**transform)),
+            FunctionBody::Spline(spline) => {
+                let spline = self::spline(spline);
+                let message = "a spline without points";
+                Body::Spline(Box::new(spline.ok_or_else(|| Unsupported::broken(function.span, message))?))
+            }
+        };
+        Ok((body, 1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{DVec3, Transform};
+    use crate::scene::function::{BinaryOp, Builtin, Expr};
+    use crate::source::Span;
+
+    fn of(parameters: usize, body: FunctionBody) -> Arc<scene::Function> {
+        Arc::new(scene::Function { span: Span::default(), name: "f".into(), parameters, body })
+    }
+
+    fn expression(parameters: usize, expression: Expr) -> Arc<scene::Function> {
+        of(parameters, FunctionBody::Expression(expression))
+    }
+
+    fn call(function: &Arc<scene::Function>, arguments: &[f64]) -> f64 {
+        super::function(function).unwrap().call(arguments)
+    }
+
+    fn number(value: f64) -> Expr {
+        Expr::Constant(value)
+    }
+
+    fn parameter(index: u16) -> Expr {
+        Expr::Parameter(index)
+    }
+
+    fn binary(op: BinaryOp, a: Expr, b: Expr) -> Expr {
+        Expr::Binary(op, Box::new(a), Box::new(b))
+    }
+
+    /// docs/spec/language.md 4.4.
+    #[test]
+    fn dividing_by_a_constant_multiplies_by_its_inverse() {
+        let third = expression(1, binary(BinaryOp::Divide, parameter(0), number(3.0)));
+        assert_eq!(call(&third, &[5.0]), 1.66666666666666652);
+        let inverse = expression(1, binary(BinaryOp::Divide, number(1.0), parameter(0)));
+        assert_eq!(call(&inverse, &[0.0]), f64::INFINITY);
+    }
+
+    #[test]
+    fn sums_and_products_nest_and_may_be_empty() {
+        let sum = |from, to, e| Expr::Sum(Box::new([from, to, e]));
+        let nested = sum(number(1.0), number(3.0), sum(number(1.0), Expr::Running(0), Expr::Running(1)));
+        assert_eq!(call(&expression(1, nested), &[0.0]), 10.0);
+        let product = Expr::Product(Box::new([number(1.0), parameter(0), Expr::Running(0)]));
+        let product = expression(1, product);
+        assert_eq!(call(&product, &[4.0]), 24.0);
+        assert_eq!(call(&product, &[0.0]), 1.0);
+        assert_eq!(call(&expression(1, sum(number(0.5), number(2.0), Expr::Running(0))), &[]), 2.0);
+    }
+
+    #[test]
+    fn select_takes_one_of_its_branches() {
+        let select = |branches: &[f64]| {
+            let branches = branches.iter().map(|v| binary(BinaryOp::Add, number(*v), parameter(0)));
+            let arguments = std::iter::once(parameter(0)).chain(branches).collect();
+            expression(1, Expr::Call(Builtin::Select, arguments))
+        };
+        let (two, three) = (select(&[10.0, 20.0]), select(&[10.0, 20.0, 30.0]));
+        assert_eq!([-1.0, 0.0, 1.0].map(|x| call(&two, &[x])), [9.0, 20.0, 21.0]);
+        assert_eq!([-1.0, 0.0, 1.0].map(|x| call(&three, &[x])), [9.0, 20.0, 31.0]);
+    }
+
+    #[test]
+    fn constant_powers_are_products() {
+        for exponent in 0..=9 {
+            let power = Expr::Call(Builtin::Pow, vec![parameter(0), number(f64::from(exponent))]);
+            let found = call(&expression(1, power), &[1.7]);
+            assert!((found - 1.7_f64.powi(exponent)).abs() < 1e-12, "{exponent}: {found}");
+        }
+    }
+
+    #[test]
+    fn functions_call_functions_and_take_components() {
+        let transform =
+            Transform::translate(DVec3::new(1.0, 2.0, 3.0)).then(&Transform::scale(DVec3::splat(2.0)));
+        let transform = of(3, FunctionBody::Transform(Arc::new(transform)));
+        let mut components = [0.0; 5];
+        assert_eq!(super::function(&transform).unwrap().call_vector(&[1.0; 3], &mut components), 3);
+        assert_eq!(components[..3], [4.0, 6.0, 8.0]);
+
+        let radius = of(3, FunctionBody::Internal(57));
+        let point =
+            |_| vec![parameter(0), number(4.0), binary(BinaryOp::Multiply, parameter(0), number(0.0))];
+        let sum =
+            binary(BinaryOp::Add, Expr::User(radius, point(())), Expr::Component(transform, point(()), 1));
+        assert_eq!(call(&expression(1, sum), &[3.0]), 5.0 + 12.0);
+    }
+
+    #[test]
+    fn long_and_deep_expressions_are_compiled_or_refused() {
+        let long = (0..20000).fold(number(0.0), |e, _| binary(BinaryOp::Add, e, parameter(0)));
+        assert_eq!(call(&expression(1, long), &[0.5]), 10000.0);
+        let deep = (0..2000).fold(parameter(0), |e, _| Expr::Negate(Box::new(e)));
+        assert!(super::function(&expression(1, deep)).is_err());
+        let chain = (0..2000)
+            .fold(expression(1, parameter(0)), |f, _| expression(1, Expr::User(f, vec![parameter(0)])));
+        assert!(super::function(&chain).is_err());
+    }
+}

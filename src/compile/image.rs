@@ -1,0 +1,234 @@
+//! Compiles images: decodes files and evaluates function images, each once
+//! (docs/spec/patterns-textures.md 6).
+
+mod file;
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use super::Unsupported;
+use super::texture::TextureCompiler;
+use crate::math::{DVec2, Gamma, Rgb, Rgbft};
+use crate::scene::image::{FileGamma, ImageOrigin, ImageSource, PaletteSetting};
+use crate::scene::settings::{AssumedGamma, Settings};
+use crate::scene::{self, Function};
+use crate::world::image::{Image, ImageMap, Interpolation, Pixels, Projection};
+use file::{Decoded, Native, Raw};
+
+/// The most pixels a function image may have.
+const MOST_PIXELS: u64 = 1 << 28;
+
+/// What an image's numbers mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Use {
+    /// Light: `image_map`. The file's gamma counts.
+    Color,
+    /// Anything else. Only a `gamma` that is written counts.
+    Number,
+}
+
+impl TextureCompiler<'_> {
+    /// The pixels of an image.
+    ///
+    /// # Errors
+    /// A file that can't be read or decoded, a format that povista lacks.
+    pub fn image(&mut self, source: &Arc<ImageSource>, purpose: Use) -> Result<Arc<Image>, Unsupported> {
+        if let Some((_, image)) = self.images[purpose as usize].get(&Arc::as_ptr(source)) {
+            return Ok(image.clone());
+        }
+        let decoded = match &source.origin {
+            ImageOrigin::File { format, name, path } => file::read(source.span, *format, name, path)?,
+            ImageOrigin::Function { width, height, function } => {
+                self.function_image(source, [*width, *height], function)?
+            }
+        };
+        let image = Arc::new(convert(decoded, source, purpose, self.settings));
+        self.images[purpose as usize].insert(Arc::as_ptr(source), (source.clone(), image.clone()));
+        Ok(image)
+    }
+
+    /// An image laid over space; `colored` where it gives colours rather than numbers.
+    pub(super) fn image_map(
+        &mut self,
+        map: &scene::image::ImageMap,
+        colored: bool,
+    ) -> Result<ImageMap, Unsupported> {
+        let purpose = if colored { Use::Color } else { Use::Number };
+        let mut image = self.image(&map.source, purpose)?;
+        let mut clearness = [0.0; 2];
+        if let Pixels::Palette { indices, colors } = &image.pixels {
+            if !map.filter.is_empty() || !map.transmit.is_empty() {
+                let mut colors = colors.clone();
+                set(&mut colors, &map.filter, |color, amount| color.filter = amount);
+                set(&mut colors, &map.transmit, |color, amount| color.transmit = amount);
+                let pixels = Pixels::Palette { indices: indices.clone(), colors };
+                image = Arc::new(Image { pixels, ..*image });
+            }
+        } else {
+            for (clearness, settings) in clearness.iter_mut().zip([&map.filter, &map.transmit]) {
+                for setting in settings {
+                    if setting.index.is_some() {
+                        let message =
+                            "`filter` and `transmit` with a palette index need an image with a palette";
+                        return Err(Unsupported::broken(map.source.span, message));
+                    }
+                    *clearness = setting.amount;
+                }
+            }
+        }
+        let size = DVec2::new(image.width as f64, image.height as f64);
+        Ok(ImageMap {
+            projection: match map.map_type {
+                1 => Projection::Spherical,
+                2 => Projection::Cylindrical,
+                5 => Projection::Torus,
+                _ => Projection::Planar,
+            },
+            interpolation: match map.interpolate {
+                2 => Interpolation::Bilinear,
+                3 => Interpolation::Bicubic,
+                4 => Interpolation::NormalizedDistance,
+                _ => Interpolation::None,
+            },
+            once: map.once,
+            // Kept in single precision.
+            scale: (size * map.repeat).map(|c| f64::from(c as f32)),
+            offset: -map.offset * size,
+            clearness,
+            use_index: map.use_index,
+            use_alpha: map.use_alpha,
+            image,
+        })
+    }
+
+    /// A function evaluated on a grid of points of the unit square, kept in 16 bits.
+    fn function_image(
+        &mut self,
+        source: &ImageSource,
+        [width, height]: [u32; 2],
+        function: &Arc<Function>,
+    ) -> Result<Decoded, Unsupported> {
+        if width == 0 || height == 0 || u64::from(width) * u64::from(height) > MOST_PIXELS {
+            let message = format!("an image of {width} by {height} pixels");
+            return Err(Unsupported::broken(source.span, message));
+        }
+        let function = self.function(function)?;
+        let place = |i: u32, count: u32| f64::from(i) / f64::from((count - 1).max(1));
+        let word = |v: f32| (v * 65535.0) as u16;
+        let mut data = Vec::new();
+        let mut channels = 1;
+        for row in 0..height {
+            for column in 0..width {
+                let mut value = [0.0; 5];
+                let size = function.call_vector(&[place(column, width), place(row, height), 0.0], &mut value);
+                let [r, g, b, _, transmit] = value.map(|v| v as f32);
+                if size < 5 {
+                    data.push(word(r));
+                } else {
+                    channels = 4;
+                    data.extend([r, g, b, 1.0 - transmit].map(word));
+                }
+            }
+        }
+        Ok(Decoded {
+            width: width as usize,
+            height: height as usize,
+            raw: Raw::Words { channels, data },
+            native: Native::Untouched,
+            premultiplied: false,
+            coarse_grey: false,
+        })
+    }
+}
+
+fn set(colors: &mut [Rgbft], settings: &[PaletteSetting], change: impl Fn(&mut Rgbft, f32)) {
+    for setting in settings {
+        for (index, color) in (0..).zip(colors.iter_mut()) {
+            if setting.index.is_none_or(|wanted| wanted == index) {
+                change(color, setting.amount);
+            }
+        }
+    }
+}
+
+/// From the file's numbers to the scene's working space.
+fn convert(decoded: Decoded, source: &ImageSource, purpose: Use, settings: &Settings) -> Image {
+    let curve = curve(decoded.native, source.gamma, purpose, settings);
+    let light = |stored: f32| curve.map_or(stored, |(from, to)| from.convert(stored, to));
+    let (width, height) = (decoded.width, decoded.height);
+    let has_alpha = match &decoded.raw {
+        Raw::Bytes { channels, .. } | Raw::Words { channels, .. } => channels % 2 == 0,
+        Raw::Floats { alpha, .. } => *alpha,
+        Raw::Palette { .. } => true,
+    };
+    let table = |most: u16| -> Box<[f32]> {
+        (0..=most).map(|stored| light(f32::from(stored) / f32::from(most))).collect()
+    };
+    let pixels = match decoded.raw {
+        Raw::Bytes { channels, data } if decoded.coarse_grey => {
+            // POV-Ray decodes these first, then keeps 8 bits, cut off.
+            let coarse: Vec<u8> = table(255).iter().map(|&v| (coarse_grey(v) * 255.0) as u8).collect();
+            let data = data.into_iter().map(|stored| coarse[usize::from(stored)]).collect();
+            let curve = (0..=255_u8).map(|stored| f32::from(stored) / 255.0).collect();
+            Pixels::Bytes { channels, data, curve }
+        }
+        Raw::Bytes { channels, data } => Pixels::Bytes { channels, data, curve: table(255) },
+        Raw::Words { channels, data } => Pixels::Words { channels, data, curve: table(65535) },
+        Raw::Floats { mut data, .. } => {
+            for [r, g, b, _] in &mut data {
+                (*r, *g, *b) = (light(*r), light(*g), light(*b));
+            }
+            Pixels::Floats(data)
+        }
+        Raw::Palette { indices, colors } => {
+            let colors = colors.into_iter().map(|color| {
+                let [r, g, b, alpha] = color.map(|v| f32::from(v) / 255.0);
+                Rgbft { rgb: Rgb::new(light(r), light(g), light(b)), filter: 0.0, transmit: 1.0 - alpha }
+            });
+            Pixels::Palette { indices: indices.into(), colors: colors.collect() }
+        }
+    };
+    let premultiplied = has_alpha && source.premultiplied.unwrap_or(decoded.premultiplied);
+    Image { width, height, pixels, premultiplied, has_alpha }
+}
+
+/// Grey of three equal channels, in POV-Ray's steps of single precision.
+fn coarse_grey(v: f32) -> f32 {
+    v * 0.297 + v * 0.589 + v * 0.114
+}
+
+/// The curve of the stored numbers and the one to give them; `None` leaves them
+/// (docs/spec/patterns-textures.md 6.4).
+fn curve(
+    native: Native,
+    written: Option<FileGamma>,
+    purpose: Use,
+    settings: &Settings,
+) -> Option<(Gamma, Gamma)> {
+    let written = written.map(|gamma| match gamma {
+        FileGamma::Srgb => Gamma::Srgb,
+        FileGamma::Power(exponent) => Gamma::Power(exponent as f32),
+    });
+    if purpose == Use::Number {
+        return written.map(|from| (from, Gamma::LINEAR));
+    }
+    let old = settings.effective_version() < 370;
+    let working = match settings.assumed_gamma {
+        None if old => return None,
+        None => Gamma::LINEAR,
+        Some(AssumedGamma::Srgb) => Gamma::Srgb,
+        Some(AssumedGamma::Power(exponent)) => Gamma::Power(exponent),
+    };
+    let from = match (written, native) {
+        (Some(written), _) => written,
+        (None, Native::Known(known)) => known,
+        (None, Native::Srgb) if !old => Gamma::Srgb,
+        (None, Native::Srgb | Native::Untouched) => return None,
+    };
+    Some((from, working))
+}
+
+/// How a message names a file.
+fn shown(name: &str) -> Cow<'_, str> {
+    if name.is_empty() { "the image".into() } else { format!("`{name}`").into() }
+}

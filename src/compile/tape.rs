@@ -1,0 +1,390 @@
+//! Writes the tapes of expressions (docs/spec/language.md 4.2).
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::Unsupported;
+use super::texture::TextureCompiler;
+use crate::scene;
+use crate::scene::function::{BinaryOp, Builtin, Expr};
+use crate::world::function::tape::{Code, Component, Op, Register};
+use crate::world::function::{Body, Tape};
+
+/// How deep an expression may go; chains of operators are not deep.
+const DEEPEST: u32 = 500;
+
+/// Marks the number of a constant until it is known which registers are left for constants.
+const CONSTANT: Register = 1 << 15;
+
+/// Writes one tape. A value goes to the lowest free register, so registers serve as a stack.
+pub(super) struct Writer<'w, 'a> {
+    compiler: &'w mut TextureCompiler<'a>,
+    function: &'w scene::Function,
+    constants: Vec<f64>,
+    ops: Vec<Op>,
+    /// Registers in use, parameters included, and the most there ever were.
+    used: usize,
+    most: usize,
+    /// The running variables of the enclosing sums and products, the outermost first.
+    running: Vec<Register>,
+    depth: u32,
+    /// How many functions deep the tape calls.
+    calls: u32,
+}
+
+impl<'w, 'a> Writer<'w, 'a> {
+    pub(super) fn new(compiler: &'w mut TextureCompiler<'a>, function: &'w scene::Function) -> Self {
+        Self {
+            compiler,
+            function,
+            constants: Vec::new(),
+            ops: Vec::new(),
+            used: function.parameters,
+            most: function.parameters,
+            running: Vec::new(),
+            depth: 0,
+            calls: 1,
+        }
+    }
+
+    /// The tape of the whole expression, and how many functions deep it calls.
+    pub(super) fn tape(mut self, expression: &Expr) -> Result<(Tape, u32), Unsupported> {
+        let result = self.value(expression)?;
+        let first = self.most;
+        let settle = |register: Register| match register & CONSTANT {
+            0 => register,
+            _ => (first + usize::from(register & !CONSTANT)) as Register,
+        };
+        for op in &mut self.ops {
+            (op.to, op.a, op.b) = (settle(op.to), settle(op.a), settle(op.b));
+        }
+        let tape = Tape::new(self.function.parameters, first, self.constants, self.ops, settle(result));
+        let tape = tape.ok_or_else(|| too_big(self.function))?;
+        Ok((tape, self.calls))
+    }
+
+    /// Writes what computes an expression and says where its value will be: where it is already, or in
+    /// the lowest register that was free before.
+    fn value(&mut self, expression: &Expr) -> Result<Register, Unsupported> {
+        if self.depth >= DEEPEST {
+            let feature = format!("an expression nested more than {DEEPEST} deep");
+            return Err(Unsupported::new(self.function.span, feature));
+        }
+        self.depth += 1;
+        let register = match expression {
+            Expr::Constant(value) => self.constant(*value),
+            Expr::Parameter(index) => Ok(*index),
+            Expr::Running(index) => self.running_variable(*index),
+            Expr::Negate(e) => {
+                let mark = self.used;
+                let a = self.value(e)?;
+                self.result(mark, Code::Negate, a, a)
+            }
+            Expr::Binary(..) => self.chain(expression),
+            Expr::Call(Builtin::Select, arguments) => self.select(arguments),
+            Expr::Call(builtin, arguments) => self.builtin(*builtin, arguments),
+            Expr::User(function, arguments) => self.call(function, arguments, Component::At(0)),
+            Expr::Component(function, arguments, component) => {
+                let component = match component {
+                    5 => Component::Gray,
+                    6 => Component::Height,
+                    index => Component::At(*index),
+                };
+                self.call(function, arguments, component)
+            }
+            Expr::Sum(parts) => self.repeat(parts, 0.0, Code::Add),
+            Expr::Product(parts) => self.repeat(parts, 1.0, Code::Multiply),
+        };
+        self.depth -= 1;
+        register
+    }
+
+    fn constant(&mut self, value: f64) -> Result<Register, Unsupported> {
+        let known = self.constants.iter().position(|c| c.to_bits() == value.to_bits());
+        let index = known.unwrap_or(self.constants.len());
+        if known.is_none() {
+            self.constants.push(value);
+        }
+        if index >= Tape::MOST_REGISTERS {
+            return Err(too_big(self.function));
+        }
+        Ok(index as Register | CONSTANT)
+    }
+
+    fn running_variable(&self, index: u16) -> Result<Register, Unsupported> {
+        let register = self.running.get(usize::from(index)).copied();
+        register
+            .ok_or_else(|| Unsupported::broken(self.function.span, "a running variable outside of its sum"))
+    }
+
+    /// The lowest free register.
+    fn take(&mut self) -> Result<Register, Unsupported> {
+        if self.used >= Tape::MOST_REGISTERS {
+            return Err(too_big(self.function));
+        }
+        self.used += 1;
+        self.most = self.most.max(self.used);
+        Ok((self.used - 1) as Register)
+    }
+
+    fn emit(&mut self, code: Code, to: Register, a: Register, b: Register) {
+        self.ops.push(Op { code, to, a, b });
+    }
+
+    /// Frees the registers from `mark` on and writes an operation with its result there.
+    fn result(&mut self, mark: usize, code: Code, a: Register, b: Register) -> Result<Register, Unsupported> {
+        self.used = mark;
+        let to = self.take()?;
+        self.emit(code, to, a, b);
+        Ok(to)
+    }
+
+    /// The value of an expression in the lowest free register, which stays in use.
+    fn value_on_top(&mut self, expression: &Expr) -> Result<Register, Unsupported> {
+        let mark = self.used;
+        let value = self.value(expression)?;
+        if usize::from(value) == mark {
+            return Ok(value);
+        }
+        self.result(mark, Code::Copy, value, value)
+    }
+
+    /// A chain of operators, however long: `a + b + c …` is nested on its left only.
+    fn chain(&mut self, expression: &Expr) -> Result<Register, Unsupported> {
+        let mut links = Vec::new();
+        let mut first = expression;
+        while let Expr::Binary(op, left, right) = first {
+            links.push((*op, &**right));
+            first = left;
+        }
+        let mark = self.used;
+        let mut sum = self.value(first)?;
+        for (op, right) in links.into_iter().rev() {
+            sum = match (op, right) {
+                // POV-Ray multiplies by the inverse.
+                (BinaryOp::Divide, Expr::Constant(by)) => {
+                    let inverse = self.constant(1.0 / by)?;
+                    self.result(mark, Code::Multiply, sum, inverse)?
+                }
+                _ => {
+                    let right = self.value(right)?;
+                    let (code, a, b) = match op {
+                        BinaryOp::Add => (Code::Add, sum, right),
+                        BinaryOp::Subtract => (Code::Subtract, sum, right),
+                        BinaryOp::Multiply => (Code::Multiply, sum, right),
+                        BinaryOp::Divide => (Code::Divide, sum, right),
+                        BinaryOp::Less => (Code::Less, sum, right),
+                        BinaryOp::LessEqual => (Code::LessEqual, sum, right),
+                        BinaryOp::Greater => (Code::Less, right, sum),
+                        BinaryOp::GreaterEqual => (Code::LessEqual, right, sum),
+                        BinaryOp::Equal => (Code::Equal, sum, right),
+                        BinaryOp::NotEqual => (Code::NotEqual, sum, right),
+                        BinaryOp::And => (Code::And, sum, right),
+                        BinaryOp::Or => (Code::Or, sum, right),
+                    };
+                    self.result(mark, code, a, b)?
+                }
+            };
+        }
+        Ok(sum)
+    }
+
+    fn builtin(&mut self, builtin: Builtin, arguments: &[Expr]) -> Result<Register, Unsupported> {
+        let mark = self.used;
+        let Some((first, rest)) = arguments.split_first() else {
+            return Err(Unsupported::broken(self.function.span, "a function call without arguments"));
+        };
+        let mut value = self.value(first)?;
+        if let (Builtin::Pow, [Expr::Constant(exponent)]) = (builtin, rest)
+            && let Some(power) = constant_power(*exponent)
+        {
+            return self.result(mark, Code::Unary(power), value, value);
+        }
+        if rest.is_empty() {
+            return self.result(mark, one_argument(builtin), value, value);
+        }
+        for argument in rest {
+            let next = self.value(argument)?;
+            value = self.result(mark, two_arguments(builtin), value, next)?;
+        }
+        Ok(value)
+    }
+
+    /// `select`: only the branch that is taken is computed.
+    fn select(&mut self, arguments: &[Expr]) -> Result<Register, Unsupported> {
+        let mark = self.used;
+        let (condition, negative, zero, positive) = match arguments {
+            [condition, negative, other] => (condition, negative, None, other),
+            [condition, negative, zero, positive] => (condition, negative, Some(zero), positive),
+            _ => {
+                return Err(Unsupported::broken(self.function.span, "`select` takes three or four arguments"));
+            }
+        };
+        let condition = self.value(condition)?;
+        self.used = mark;
+        let to = self.take()?;
+        let to_negative = self.jump(Code::IfNegative(0), condition);
+        let to_zero = zero.map(|_| self.jump(Code::IfZero(0), condition));
+        self.branch(positive, to)?;
+        let mut to_end = vec![self.jump(Code::Jump(0), to)];
+        if let (Some(jump), Some(zero)) = (to_zero, zero) {
+            self.land(jump);
+            self.branch(zero, to)?;
+            to_end.push(self.jump(Code::Jump(0), to));
+        }
+        self.land(to_negative);
+        self.branch(negative, to)?;
+        for jump in to_end {
+            self.land(jump);
+        }
+        Ok(to)
+    }
+
+    /// Writes a jump whose target is not known yet, and says where it is.
+    fn jump(&mut self, code: Code, a: Register) -> usize {
+        self.emit(code, a, a, a);
+        self.ops.len() - 1
+    }
+
+    /// Makes a jump go to what is written next.
+    fn land(&mut self, jump: usize) {
+        let next = self.ops.len() as u32;
+        match &mut self.ops[jump].code {
+            Code::Jump(target) | Code::IfNegative(target) | Code::IfZero(target) | Code::IfUpTo(target) => {
+                *target = next;
+            }
+            _ => {}
+        }
+    }
+
+    /// Writes what puts the value of an expression into a register.
+    fn branch(&mut self, expression: &Expr, to: Register) -> Result<(), Unsupported> {
+        let mark = self.used;
+        let value = self.value(expression)?;
+        self.used = mark;
+        self.emit(Code::Copy, to, value, value);
+        Ok(())
+    }
+
+    fn call(
+        &mut self,
+        function: &Arc<scene::Function>,
+        arguments: &[Expr],
+        component: Component,
+    ) -> Result<Register, Unsupported> {
+        let function = self.compiler.function(function)?;
+        if arguments.len() != function.parameters {
+            return Err(Unsupported::broken(
+                self.function.span,
+                "a function call with too few or too many arguments",
+            ));
+        }
+        let mark = self.used;
+        for argument in arguments {
+            self.value_on_top(argument)?;
+        }
+        self.calls = self.calls.max(function.depth + 1);
+        let code = match &function.body {
+            Body::Internal(internal) => Code::Internal(*internal),
+            _ => Code::Call(function, component),
+        };
+        self.result(mark, code, mark as Register, mark as Register)
+    }
+
+    /// `sum` and `prod`: the running variable from the first to the second part, both included.
+    fn repeat(&mut self, parts: &[Expr; 3], start: f64, code: Code) -> Result<Register, Unsupported> {
+        let [from, to, body] = parts;
+        let start = self.constant(start)?;
+        let one = self.constant(1.0)?;
+        let total = self.take()?;
+        let variable = self.value_on_top(from)?;
+        let end = self.value_on_top(to)?;
+        self.emit(Code::Copy, total, start, start);
+        let to_test = self.jump(Code::Jump(0), total);
+        let top = self.ops.len() as u32;
+        self.running.push(variable);
+        let mark = self.used;
+        let term = self.value(body)?;
+        self.used = mark;
+        self.running.pop();
+        self.emit(code, total, total, term);
+        self.emit(Code::Add, variable, variable, one);
+        self.land(to_test);
+        self.emit(Code::IfUpTo(top), variable, variable, end);
+        self.used = usize::from(total) + 1;
+        Ok(total)
+    }
+}
+
+fn too_big(function: &scene::Function) -> Unsupported {
+    let feature = format!("a function with more than {} numbers in flight", Tape::MOST_REGISTERS);
+    Unsupported::new(function.span, feature)
+}
+
+/// `pow` with one of the exponents that POV-Ray writes out as products.
+fn constant_power(exponent: f64) -> Option<fn(f64) -> f64> {
+    Some(match exponent {
+        0.0 => |_| 1.0,
+        2.0 => |e| e * e,
+        3.0 => |e| e * e * e,
+        4.0 => |e| (e * e) * (e * e),
+        5.0 => |e| (e * e) * (e * e) * e,
+        6.0 => |e| (e * e) * (e * e) * (e * e),
+        7.0 => |e| ((e * e) * (e * e) * e) * (e * e),
+        8.0 => |e| ((e * e) * (e * e)) * ((e * e) * (e * e)),
+        _ => return None,
+    })
+}
+
+fn one_argument(builtin: Builtin) -> Code {
+    Code::Unary(match builtin {
+        Builtin::Abs => f64::abs,
+        Builtin::Acos => f64::acos,
+        Builtin::Acosh => f64::acosh,
+        Builtin::Asin => f64::asin,
+        Builtin::Asinh => f64::asinh,
+        Builtin::Atan => f64::atan,
+        Builtin::Atanh => f64::atanh,
+        Builtin::Ceil => f64::ceil,
+        Builtin::Cos => f64::cos,
+        Builtin::Cosh => f64::cosh,
+        Builtin::Degrees => |v| v / (PI / 180.0),
+        Builtin::Exp => f64::exp,
+        Builtin::Floor => f64::floor,
+        Builtin::Int => truncate,
+        Builtin::Ln => f64::ln,
+        Builtin::Log => f64::log10,
+        Builtin::Radians => |v| v * (PI / 180.0),
+        Builtin::Sin => f64::sin,
+        Builtin::Sinh => f64::sinh,
+        Builtin::Sqrt => f64::sqrt,
+        Builtin::Tan => f64::tan,
+        Builtin::Tanh => f64::tanh,
+        // These take more; with one argument they are that argument.
+        Builtin::Atan2
+        | Builtin::Div
+        | Builtin::Max
+        | Builtin::Min
+        | Builtin::Mod
+        | Builtin::Pow
+        | Builtin::Select => return Code::Copy,
+    })
+}
+
+fn two_arguments(builtin: Builtin) -> Code {
+    match builtin {
+        Builtin::Max => Code::Max,
+        Builtin::Min => Code::Min,
+        Builtin::Div => Code::Binary(|a, b| truncate(a / b)),
+        Builtin::Mod => Code::Binary(|a, b| a % b),
+        Builtin::Atan2 => Code::Binary(f64::atan2),
+        _ => Code::Binary(f64::powf),
+    }
+}
+
+/// Conversion to a 32-bit integer and back; what doesn't fit becomes the least one.
+fn truncate(v: f64) -> f64 {
+    let whole = v.trunc();
+    let fits = (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&whole);
+    if fits { whole } else { f64::from(i32::MIN) }
+}

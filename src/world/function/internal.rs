@@ -1,0 +1,180 @@
+//! `internal(n)`: the formulas behind functions.inc (docs/spec/language.md 4.5).
+
+mod noise;
+mod solids;
+mod surfaces;
+mod turned;
+
+/// A formula of a point and up to ten parameters.
+type Formula = fn(f64, f64, f64, &[f64; PARAMETERS]) -> f64;
+
+/// The most parameters a formula has, besides the point.
+const PARAMETERS: usize = 10;
+
+/// An entry of the table of internal functions.
+#[derive(Clone, Copy, Debug)]
+pub struct Internal {
+    /// How many numbers it takes, the point among them.
+    pub parameters: usize,
+    formula: Formula,
+}
+
+impl Internal {
+    /// The function with this number; `generator` is the scene's noise generator.
+    /// `None` where there is none.
+    pub fn new(number: u8, generator: u8) -> Option<Self> {
+        let (parameters, formula) = surfaces::find(number)
+            .or_else(|| turned::find(number))
+            .or_else(|| solids::find(number))
+            .or_else(|| noise::find(number, generator))?;
+        Some(Self { parameters: parameters + 3, formula })
+    }
+
+    /// The value; missing arguments count as 0.
+    pub fn call(&self, arguments: &[f64]) -> f64 {
+        let mut all = [0.0; PARAMETERS + 3];
+        let given = arguments.len().min(self.parameters);
+        all[..given].copy_from_slice(&arguments[..given]);
+        let [x, y, z, p @ ..] = all;
+        (self.formula)(x, y, z, &p)
+    }
+}
+
+/// Keeps a surface's value within ±10, as POV-Ray does for surfaces of high degree.
+fn cl(v: f64) -> f64 {
+    v.clamp(-10.0, 10.0)
+}
+
+/// Keeps a value within ±`limit`, the lower end first: a negative limit wins.
+fn cl_to(v: f64, limit: f64) -> f64 {
+    v.max(-limit).min(limit)
+}
+
+/// Distance in the plane from a cross-section of the given shape: 1 a circle, 0 a square, others between and beyond.
+fn section(x: f64, z: f64, shape: f64) -> f64 {
+    if shape == 1.0 {
+        (x * x + z * z).sqrt()
+    } else if shape == 0.0 {
+        x.abs().max(z.abs())
+    } else {
+        (x.abs().powf(2.0 / shape) + z.abs().powf(2.0 / shape)).powf(shape * 0.5)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Number, parameters and value at (0.3, 0.4, 0.5) with the parameters of docs/spec/language.md 4.5.
+    const PROBES: [(u8, usize, f64); 72] = [
+        (0, 5, 0.009904467),
+        (1, 5, 0.01614244),
+        (2, 5, -0.228133785),
+        (3, 5, -0.7),
+        (4, 2, -0.15851),
+        (5, 2, -0.17028),
+        (6, 5, -0.900138822),
+        (7, 4, 0.234225806),
+        (8, 2, -10.0),
+        (9, 1, -0.073677151),
+        (10, 4, 0.676783006),
+        (11, 1, -0.41525),
+        (12, 1, 0.5907),
+        (13, 1, 0.01925),
+        (14, 1, -0.10736),
+        (15, 6, -0.114009102),
+        (16, 6, 0.64816202),
+        (17, 3, 0.624339651),
+        (18, 1, 0.005907789),
+        (19, 4, -0.558795969),
+        (20, 3, 0.38203),
+        (21, 6, -0.184324666),
+        (22, 1, -0.4452085),
+        (23, 1, 0.0990506),
+        (24, 10, 0.283095189),
+        (25, 7, 0.983095189),
+        (26, 7, 0.020443692),
+        (27, 1, 0.496410162),
+        (28, 1, 0.059807621),
+        (30, 1, 10.0),
+        (31, 3, -0.4576),
+        (32, 4, 0.683724094),
+        (33, 3, -0.483076),
+        (34, 6, -0.17604171),
+        (35, 1, 3.5343),
+        (36, 1, -0.57123),
+        (37, 4, 0.447249),
+        (38, 1, -0.36091),
+        (39, 6, -0.175537506),
+        (40, 5, 0.365478522),
+        (41, 1, -0.09416),
+        (42, 1, 1.1121),
+        (43, 1, 0.01925),
+        (44, 4, 0.051128),
+        (45, 1, 0.066),
+        (46, 3, -0.71137),
+        (47, 0, 0.96953211),
+        (48, 1, -0.44418),
+        (49, 1, 0.43021),
+        (50, 7, -0.184307439),
+        (51, 5, -1.039464811),
+        (52, 6, 0.87961954),
+        (53, 1, 1.199750699),
+        (54, 1, 0.36234),
+        (55, 1, 0.49984),
+        (56, 3, 0.07381),
+        (57, 0, 0.707106781),
+        (60, 4, -0.130465029),
+        (61, 1, -0.392893219),
+        (62, 5, 1.57689125),
+        (63, 4, -0.222651891),
+        (64, 6, -0.192893219),
+        (65, 1, -0.15059),
+        (66, 4, -0.10329),
+        (67, 7, -0.152005923),
+        (68, 2, 0.351917956),
+        (69, 0, 0.5404195),
+        (70, 2, -0.046401818),
+        (71, 3, 0.6974),
+        (72, 1, -9.16531),
+        (73, 1, 0.011),
+        (74, 2, 0.3124),
+    ];
+
+    #[test]
+    fn internal_functions_are_povrays() {
+        const P: [f64; 10] = [1.1, 0.7, 0.9, 1.3, 0.6, 0.8, 0.5, 1.2, 0.4, 0.3];
+        let mut wrong = Vec::new();
+        for (number, parameters, expected) in PROBES.into_iter().chain([(75, 6, 0.774325875)]) {
+            let internal = Internal::new(number, 2).unwrap();
+            assert_eq!(internal.parameters, parameters + 3, "internal({number})");
+            let arguments: Vec<f64> = [0.3, 0.4, 0.5].into_iter().chain(P).take(parameters + 3).collect();
+            let found = internal.call(&arguments);
+            if !((found - expected).abs() < 1e-8) {
+                wrong.push(format!("internal({number}) is {found}, not {expected}"));
+            }
+        }
+        assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    }
+
+    #[test]
+    fn noise_functions_are_povrays() {
+        let probes: [(u8, &[f64], f64); 7] = [
+            (78, &[1.3, 2.7, 3.1, 0.0], 0.315280502678),
+            (78, &[1.3, 2.7, 3.1, 2.0], 0.425048141254),
+            (78, &[1.3, 2.7, 3.1, 3.0], 0.594674075620),
+            (76, &[1.3, 2.7, 3.1], 0.425048141254),
+            (29, &[0.3, 0.4, 0.5, 0.8, 2.1, 3.5, 0.6, 2.0, 2.0], 0.899652435753),
+            (58, &[0.3, 0.4, 0.5, 2.0, 3.25, 0.5, 0.4, 0.6, 1.0], -0.247250436117),
+            (59, &[0.3, 0.4, 0.5, 0.8, 2.1, 4.0, 1.0, 2.0, 1.0], 1.076694432881),
+        ];
+        for (number, arguments, expected) in probes {
+            let internal = Internal::new(number, 2).unwrap();
+            assert_eq!(internal.parameters, arguments.len());
+            let found = internal.call(arguments);
+            assert!((found - expected).abs() < 1e-11, "internal({number}) is {found}, not {expected}");
+        }
+        assert!(Internal::new(77, 2).is_none());
+        assert!(Internal::new(79, 2).is_none());
+    }
+}

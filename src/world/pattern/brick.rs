@@ -1,0 +1,37 @@
+//! `brick` (docs/spec/patterns-textures.md 2.6).
+
+use crate::math::DVec3;
+use crate::math::noise::EPSILON;
+
+/// `brick`: 0 is mortar, 1 is brick.
+#[derive(Clone, Copy, Debug)]
+pub struct Brick {
+    size: DVec3,
+    mortar: f64,
+}
+
+impl Brick {
+    /// Size of a brick with its mortar, and the thickness of the mortar.
+    pub fn new(size: DVec3, mortar: f32) -> Self {
+        Self { size, mortar: f64::from((f64::from(mortar) - EPSILON * 2.0) as f32) }
+    }
+
+    pub(super) fn value(&self, p: DVec3) -> f64 {
+        let m = self.mortar;
+        let at = p + (EPSILON + m);
+        let (share, part) = (m / self.size, at / self.size);
+        if fraction(part.y) <= share.y {
+            return 0.0;
+        }
+        // Bricks of odd courses are moved by half a brick.
+        let even_course = fraction(part.y * 0.5) <= 0.5;
+        let (x, z) = if even_course { (part.x, part.z + 0.5) } else { (part.x + 0.5, part.z) };
+        let mortar = fraction(x) <= share.x || fraction(z) <= share.z;
+        f64::from(!mortar)
+    }
+}
+
+fn fraction(t: f64) -> f64 {
+    let f = t - t.trunc();
+    if f < 0.0 { f + 1.0 } else { f }
+}

@@ -1,0 +1,158 @@
+//! `crackle` and the seeds of `facets` (docs/spec/patterns-textures.md 2.3 and 4.3).
+
+use crate::math::DVec3;
+use crate::math::noise::{EPSILON, cell_point, noise, vector_noise};
+
+/// `crackle`.
+#[derive(Clone, Copy, Debug)]
+pub struct Crackle {
+    /// Weights of the distances to the nearest three seeds.
+    pub form: DVec3,
+    /// How distances are measured.
+    pub metric: Metric,
+    /// Added to every distance, under the root.
+    pub offset: f64,
+    /// Instead of distances, noise at the nearest seed by this generator.
+    pub solid: Option<u8>,
+}
+
+/// `facets`.
+#[derive(Clone, Copy, Debug)]
+pub struct Facets {
+    /// Size of a facet.
+    pub size: f64,
+    /// 0: facets of directions. Otherwise facets of space, tilted by this much.
+    pub coords: f64,
+    /// How distances are measured.
+    pub metric: Metric,
+}
+
+/// The sum that stands for a distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Metric {
+    /// `metric 2`: squares.
+    Square,
+    /// `metric 1`: absolute values.
+    Absolute,
+    /// Any other power.
+    Power(f64),
+}
+
+impl Metric {
+    /// The metric for the number a user writes.
+    pub fn new(metric: f64) -> Self {
+        match metric {
+            2.0 => Self::Square,
+            1.0 => Self::Absolute,
+            other => Self::Power(other),
+        }
+    }
+
+    fn sum(self, d: DVec3) -> f64 {
+        match self {
+            Self::Square => d.x * d.x + d.y * d.y + d.z * d.z,
+            Self::Absolute => d.x.abs() + d.y.abs() + d.z.abs(),
+            Self::Power(m) => d.x.abs().powf(m) + d.y.abs().powf(m) + d.z.abs().powf(m),
+        }
+    }
+
+    fn distance(self, sum: f64) -> f64 {
+        match self {
+            Self::Square => sum.sqrt(),
+            Self::Absolute => sum,
+            Self::Power(m) => sum.powf(1.0 / m),
+        }
+    }
+
+    fn offset(self, offset: f64) -> f64 {
+        match self {
+            _ if offset == 0.0 => 0.0,
+            Self::Square => offset * offset,
+            Self::Absolute => offset,
+            Self::Power(m) => offset.powf(m),
+        }
+    }
+
+    /// Whether a seed in the cell at `offset` from the cell of a point at `inside` (its place in
+    /// its own cell, 0 … 1) could be as near as `limit`. Only squares are worth the question.
+    fn may_reach(self, offset: [i32; 3], inside: DVec3, limit: f64) -> bool {
+        if self != Self::Square {
+            return true;
+        }
+        let gap = |o: i32, f: f64| match o {
+            0 => 0.0,
+            1.. => f64::from(o) - f,
+            _ => f - f64::from(o + 1),
+        };
+        let d = DVec3::new(gap(offset[0], inside.x), gap(offset[1], inside.y), gap(offset[2], inside.z));
+        // A little slack keeps rounding from hiding a seed on the very boundary.
+        d.length_squared() <= limit * (1.0 + 1e-9) + 1e-9
+    }
+}
+
+/// The cells whose seeds may be among the nearest three: at most one step of two.
+fn neighbours() -> impl Iterator<Item = [i32; 3]> {
+    let steps = || -2..=2_i32;
+    steps()
+        .flat_map(move |x| steps().flat_map(move |y| steps().map(move |z| [x, y, z])))
+        .filter(|o| o.iter().filter(|c| c.abs() == 2).count() <= 1)
+}
+
+impl Crackle {
+    pub(super) fn value(&self, p: DVec3) -> f64 {
+        let cell = (p - EPSILON).floor();
+        let mut sums = [f64::INFINITY; 3];
+        let mut nearest = DVec3::ZERO;
+        for offset in neighbours() {
+            if !self.metric.may_reach(offset, p - cell, sums[2]) {
+                continue;
+            }
+            let corner = cell + DVec3::from_array(offset.map(f64::from));
+            let seed = corner + cell_point(corner.to_array().map(|c| c as i32));
+            let sum = self.metric.sum(p - seed);
+            if sum < sums[0] {
+                sums = [sum, sums[0], sums[1]];
+                nearest = seed;
+            } else if sum < sums[1] {
+                sums = [sums[0], sum, sums[1]];
+            } else if sum < sums[2] {
+                sums[2] = sum;
+            }
+        }
+        if let Some(generator) = self.solid {
+            return noise(generator, nearest);
+        }
+        let offset = self.metric.offset(self.offset);
+        let [a, b, c] = sums.map(|sum| self.metric.distance(sum + offset));
+        (self.form.x * a + self.form.y * b + self.form.z * c).clamp(0.0, 1.0)
+    }
+}
+
+impl Facets {
+    /// The normal of the facet that `p` (or, without `coords`, the direction `n`) falls on; not unit.
+    pub(crate) fn normal(&self, p: DVec3, n: DVec3) -> DVec3 {
+        let n = n.normalize_or_zero();
+        let query = if self.coords == 0.0 { n } else { p } * (1.0 / self.size.max(1e-6));
+        let seed = self.nearest(query);
+        if self.coords == 0.0 {
+            return seed;
+        }
+        let tilt = vector_noise(seed);
+        n + self.coords * (tilt - tilt.dot(n) * n)
+    }
+
+    fn nearest(&self, q: DVec3) -> DVec3 {
+        let mut best = (f64::INFINITY, DVec3::ZERO);
+        for offset in neighbours() {
+            let corner = (q + DVec3::from_array(offset.map(f64::from)) - EPSILON).floor();
+            let seed = corner + cell_point(corner.to_array().map(|c| c as i32));
+            let d = seed - q;
+            // POV-Ray's sum for metric 1 keeps the signs.
+            let sum = if self.metric == Metric::Absolute { d.x + d.y + d.z } else { self.metric.sum(d) };
+            if sum < best.0 {
+                best = (sum, seed);
+            }
+        }
+        best.1
+    }
+}

@@ -1,0 +1,75 @@
+//! `density_file`: a block of voxels in the unit cube (docs/spec/patterns-textures.md 2.4).
+
+use std::sync::Arc;
+
+use crate::math::DVec3;
+
+/// Voxels and how to read between them.
+#[derive(Clone, Debug)]
+pub struct DensityFile {
+    /// Voxels along x, y, z; none is 0.
+    pub size: [usize; 3],
+    /// x fastest, 0 … 1.
+    pub values: Arc<[f32]>,
+    /// How to read between voxels.
+    pub interpolation: Interpolation,
+}
+
+/// How to read between voxels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the usual names")]
+pub enum Interpolation {
+    Nearest,
+    Trilinear,
+    Tricubic,
+}
+
+impl DensityFile {
+    /// 0 outside the unit cube.
+    pub(super) fn value(&self, p: DVec3) -> f64 {
+        let inside = |c: f64| (0.0..1.0).contains(&c);
+        if !(inside(p.x) && inside(p.y) && inside(p.z)) {
+            return 0.0;
+        }
+        let at = p * DVec3::from_array(self.size.map(|s| s as f64));
+        let low = at.floor();
+        let [i, j, k] = low.to_array().map(|c| c as usize);
+        let part = at - low;
+        match self.interpolation {
+            Interpolation::Nearest => self.voxel(i, j, k),
+            Interpolation::Trilinear => self.linear([i, j, k], part),
+            Interpolation::Tricubic => self.cubic([i, j, k], part),
+        }
+    }
+
+    /// A voxel; the block repeats.
+    fn voxel(&self, i: usize, j: usize, k: usize) -> f64 {
+        let [x, y, z] = self.size;
+        f64::from(self.values[((k % z) * y + j % y) * x + i % x])
+    }
+
+    fn linear(&self, [i, j, k]: [usize; 3], part: DVec3) -> f64 {
+        let mix = |a: f64, b: f64, t: f64| a * (1.0 - t) + b * t;
+        let row = |j, k| mix(self.voxel(i, j, k), self.voxel(i + 1, j, k), part.x);
+        let layer = |k| mix(row(j, k), row(j + 1, k), part.y);
+        mix(layer(k), layer(k + 1), part.z)
+    }
+
+    /// In single precision; along z first, then y, then x.
+    fn cubic(&self, [i, j, k]: [usize; 3], part: DVec3) -> f64 {
+        // Unsigned arithmetic takes the neighbour below 0 modulo 2^64, as POV-Ray does.
+        let four = |c: usize| [c.wrapping_sub(1), c, c + 1, c + 2];
+        let [x, y, z] = [part.x as f32, part.y as f32, part.z as f32];
+        let column = |i, j| spline(four(k).map(|k| self.voxel(i, j, k) as f32), z);
+        let row = |i| spline(four(j).map(|j| column(i, j)), y);
+        f64::from(spline(four(i).map(row), x)).max(0.0)
+    }
+}
+
+fn spline([a, b, c, d]: [f32; 4], t: f32) -> f32 {
+    let m = 0.5 * (c - a);
+    let n = 0.5 * (d - b);
+    let cubic = 2.0 * (b - c) + m + n;
+    let square = -3.0 * (b - c) - 2.0 * m - n;
+    ((cubic * t + square) * t + m) * t + b
+}

@@ -1,0 +1,34 @@
+//! `boxed`, `cylindrical`, `planar`, `spherical`: 1 in the middle, 0 from distance 1 on
+//! (docs/spec/patterns-textures.md 2.2).
+
+use crate::math::DVec3;
+
+fn fall(distance: f64) -> f64 {
+    if distance < 0.0 {
+        1.0
+    } else if distance > 1.0 {
+        0.0
+    } else {
+        1.0 - distance
+    }
+}
+
+/// Falls towards the faces of a cube.
+pub(super) fn boxed(p: DVec3) -> f64 {
+    fall(p.abs().max_element())
+}
+
+/// Falls away from the y axis.
+pub(super) fn cylindrical(p: DVec3) -> f64 {
+    fall((p.x * p.x + p.z * p.z).sqrt())
+}
+
+/// Falls away from the x-z plane.
+pub(super) fn planar(p: DVec3) -> f64 {
+    fall(p.y.abs())
+}
+
+/// Falls away from the origin.
+pub(super) fn spherical(p: DVec3) -> f64 {
+    fall((p.x * p.x + p.y * p.y + p.z * p.z).sqrt())
+}

@@ -1,0 +1,101 @@
+//! What is known at a point where patterns, pigments and normals are asked for, and how they,
+//! functions and shapes see each other.
+
+use crate::math::{DVec2, DVec3, Rgbft};
+use crate::world::warp::Warps;
+
+/// A place where a texture is evaluated.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample<'a> {
+    /// Where patterns are evaluated: the hit point seen from the texture's space, or `<u,v,0>`.
+    pub point: DVec3,
+    /// The hit point in the world.
+    pub position: DVec3,
+    /// The surface normal in the world: unit, raw, facing the ray. Zero where there is no surface,
+    /// as in functions, media and skies; `slope` and `aoi` are 0 then.
+    pub normal: DVec3,
+    /// The normal that `slope` and `aoi` see: starts as `normal`, every finished normal block
+    /// overwrites it (docs/spec/patterns-textures.md 7.4).
+    pub bent: DVec3,
+    /// Unit direction of the ray in the world.
+    pub direction: DVec3,
+    /// Texture coordinates of the hit.
+    pub uv: DVec2,
+    /// Patterned textures and transforms around the layer being evaluated, innermost first.
+    pub enclosing: Option<&'a Enclosing<'a>>,
+}
+
+impl Sample<'_> {
+    /// A point without a surface.
+    pub fn at(point: DVec3) -> Self {
+        Self {
+            point,
+            position: point,
+            normal: DVec3::ZERO,
+            bent: DVec3::ZERO,
+            direction: DVec3::ZERO,
+            uv: DVec2::new(point.x, point.y),
+            enclosing: None,
+        }
+    }
+
+    /// A hit: world point, raw unit normal facing the ray, unit direction of the ray, texture coordinates.
+    pub fn on_surface(position: DVec3, normal: DVec3, direction: DVec3, uv: DVec2) -> Self {
+        Self { position, normal, bent: normal, direction, uv, ..Self::at(position) }
+    }
+
+    /// The same place seen from elsewhere.
+    pub fn moved(&self, point: DVec3) -> Self {
+        Self { point, ..*self }
+    }
+
+    /// The same place seen through `uv_mapping`.
+    pub fn uv_mapped(&self) -> Self {
+        self.moved(self.uv.extend(0.0))
+    }
+}
+
+/// A link in the list of what stands around a layer: normals pass through all of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Enclosing<'a> {
+    /// The way into the enclosed space.
+    pub warps: &'a Warps,
+    /// The way changes the length of normals.
+    pub no_bump_scale: bool,
+    /// This is merely where a plain texture's layers are, no texture around them.
+    pub of_layers: bool,
+    /// What stands around this.
+    pub outer: Option<&'a Enclosing<'a>>,
+}
+
+impl Enclosing<'_> {
+    /// A normal of the world seen from the innermost space.
+    pub fn inward(&self, normal: DVec3) -> DVec3 {
+        let normal = self.outer.map_or(normal, |outer| outer.inward(normal));
+        self.warps.normal_inward(normal, self.no_bump_scale)
+    }
+
+    /// A normal of the innermost space seen from the world.
+    pub fn outward(&self, normal: DVec3) -> DVec3 {
+        let normal = self.warps.normal_outward(normal, self.no_bump_scale);
+        self.outer.map_or(normal, |outer| outer.outward(normal))
+    }
+}
+
+/// Gives a number at every sample: patterns, functions and pigments seen as grey.
+pub trait Field: Send + Sync + std::fmt::Debug {
+    /// The number at `sample`.
+    fn value(&self, sample: &Sample) -> f64;
+}
+
+/// Gives a colour at every sample: pigments.
+pub trait Colors: Send + Sync + std::fmt::Debug {
+    /// The colour at `sample`, white and clear where there is none.
+    fn color(&self, sample: &Sample) -> Rgbft;
+}
+
+/// Has an inside: objects as patterns see them.
+pub trait Inside: Send + Sync + std::fmt::Debug {
+    /// Whether the point, in the space where the object was written, is inside.
+    fn inside(&self, point: DVec3) -> bool;
+}

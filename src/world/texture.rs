@@ -1,0 +1,205 @@
+//! Textures: layers of pigment, normal and finish, and what selects or blends them
+//! (docs/spec/patterns-textures.md 3, 4 and 7).
+
+pub mod blend_map;
+pub mod finish;
+pub mod normal;
+pub mod pigment;
+
+pub use blend_map::{BlendMap, Pick};
+pub use finish::{Finish, Irid, LegacyFinish, Reflection, Subsurface};
+pub use normal::{Normal, NormalKind};
+pub use pigment::Pigment;
+
+pub use super::sample::Sample;
+
+use std::sync::Arc;
+
+use super::image::ImageMap;
+use super::pattern::{Formula, Pattern};
+use super::sample::Enclosing;
+use super::warp::{Warp, Warps};
+use crate::math::{DVec3, Rgb, Transform};
+
+/// A texture and where it is.
+#[derive(Clone, Debug)]
+pub struct Texture {
+    /// What it looks like.
+    pub body: Arc<TextureBody>,
+    /// From the space the body was written in to the world, as a way of one step; empty for the identity.
+    placement: Warps,
+}
+
+/// What a texture looks like.
+#[derive(Clone, Debug)]
+pub enum TextureBody {
+    /// One or more layers, the lowest first.
+    Layered {
+        /// The layers.
+        layers: Box<[Layer]>,
+        /// Some layer lets nothing through anywhere.
+        opaque: bool,
+    },
+    /// A pattern that selects or blends whole textures; for `average` the positions are weights.
+    Patterned {
+        /// The pattern.
+        pattern: Pattern,
+        /// The textures.
+        map: BlendMap<Texture>,
+        /// Holds for every normal inside.
+        no_bump_scale: bool,
+    },
+    /// `material_map`.
+    MaterialMap {
+        /// Transforms and warps of the texture.
+        warps: Warps,
+        /// The image.
+        image: Box<ImageMap>,
+        /// The textures, at least one.
+        textures: Box<[Texture]>,
+    },
+    /// Evaluated at `<u,v,0>`.
+    UvMapped(Texture),
+}
+
+/// One layer.
+#[derive(Clone, Debug)]
+pub struct Layer {
+    /// Colour.
+    pub pigment: Arc<Pigment>,
+    /// Bumps.
+    pub normal: Option<Arc<Normal>>,
+    /// How it answers light.
+    pub finish: Arc<Finish>,
+}
+
+impl Texture {
+    /// A texture and the way from its space to the world.
+    pub fn new(body: Arc<TextureBody>, placement: &Transform) -> Self {
+        let step = (!placement.is_identity()).then(|| Warp::Transform(Box::new(*placement)));
+        Self { body, placement: Warps::new(step) }
+    }
+
+    /// Calls `shade` with every plain texture that shows at the sample, with its share, in the order
+    /// POV-Ray shades them (docs/spec/patterns-textures.md 7.2). Shares add up to 1. What `shade`
+    /// leaves as the sample's bent normal is what later patterns see.
+    pub fn resolve(&self, sample: &Sample, shade: &mut dyn FnMut(f32, &[Layer], &mut Sample)) {
+        self.walk(1.0, &mut sample.clone(), shade);
+    }
+
+    fn walk(&self, weight: f32, sample: &mut Sample, shade: &mut dyn FnMut(f32, &[Layer], &mut Sample)) {
+        // Where it is evaluated, the place of a uv-mapped texture doesn't matter.
+        let moved = !self.placement.is_empty() && !matches!(*self.body, TextureBody::UvMapped(_));
+        if !moved {
+            return self.body.walk(weight, sample, shade);
+        }
+        let no_bump_scale = matches!(*self.body, TextureBody::Patterned { no_bump_scale: true, .. });
+        let placement = Enclosing {
+            warps: &self.placement,
+            no_bump_scale,
+            of_layers: matches!(*self.body, TextureBody::Layered { .. }),
+            outer: sample.enclosing,
+        };
+        let point = self.placement.point(sample.point);
+        let mut inner = Sample { point, enclosing: Some(&placement), ..*sample };
+        self.body.walk(weight, &mut inner, shade);
+        sample.bent = inner.bent;
+    }
+
+    /// Whether nothing shines through anywhere.
+    pub fn is_opaque(&self) -> bool {
+        match &*self.body {
+            TextureBody::Layered { opaque, .. } => *opaque,
+            TextureBody::Patterned { map, .. } => {
+                map.entries().iter().all(|(_, texture)| texture.is_opaque())
+            }
+            TextureBody::MaterialMap { textures, .. } => textures.iter().all(Self::is_opaque),
+            TextureBody::UvMapped(texture) => texture.is_opaque(),
+        }
+    }
+
+    /// The share of light that passes at the sample: the product over layers, blended where textures
+    /// blend (docs/spec/patterns-textures.md 7.3).
+    pub fn shadow_filter(&self, sample: &Sample) -> Rgb {
+        let mut sum = Rgb::ZERO;
+        self.resolve(sample, &mut |weight, layers, sample| {
+            let colors = layers.iter().filter_map(|layer| layer.pigment.color(sample));
+            sum += weight * colors.fold(Rgb::ONE, |passed, color| passed * color.through());
+        });
+        sum
+    }
+
+    /// The only layers, where the texture has no pattern: the same at every sample.
+    pub fn layers(&self) -> Option<&[Layer]> {
+        match &*self.body {
+            TextureBody::Layered { layers, .. } => Some(layers),
+            _ => None,
+        }
+    }
+}
+
+impl TextureBody {
+    fn walk(&self, weight: f32, sample: &mut Sample, shade: &mut dyn FnMut(f32, &[Layer], &mut Sample)) {
+        match self {
+            Self::Layered { layers, .. } => shade(weight, layers, sample),
+            Self::UvMapped(texture) => {
+                let mut inner = sample.uv_mapped();
+                texture.walk(weight, &mut inner, shade);
+                sample.bent = inner.bent;
+            }
+            Self::MaterialMap { warps, image, textures } => {
+                let enclosing =
+                    Enclosing { warps, no_bump_scale: false, of_layers: false, outer: sample.enclosing };
+                let point = warps.point(sample.point);
+                let mut inner = Sample { point, enclosing: Some(&enclosing), ..*sample };
+                textures[image.material(point, textures.len())].walk(weight, &mut inner, shade);
+                sample.bent = inner.bent;
+            }
+            Self::Patterned { pattern, map, no_bump_scale } => {
+                let warps = &pattern.warps;
+                let enclosing = Enclosing {
+                    warps,
+                    no_bump_scale: *no_bump_scale,
+                    of_layers: false,
+                    outer: sample.enclosing,
+                };
+                let point = warps.point(sample.point);
+                let mut inner = Sample { point, enclosing: Some(&enclosing), ..*sample };
+                if matches!(pattern.formula, Formula::Average) {
+                    let total: f32 = map.entries().iter().map(|(share, _)| share).sum();
+                    for (share, texture) in map.entries() {
+                        texture.walk(weight * (share / total), &mut inner, shade);
+                    }
+                } else {
+                    match map.pick(pattern.value_at(point, &inner)) {
+                        Pick::One(texture) => texture.walk(weight, &mut inner, shade),
+                        Pick::Two { previous, current, t } => {
+                            current.walk(weight * t as f32, &mut inner, shade);
+                            previous.walk(weight * (1.0 - t) as f32, &mut inner, shade);
+                        }
+                    }
+                }
+                sample.bent = inner.bent;
+            }
+        }
+    }
+}
+
+impl Layer {
+    /// The normal to shade with, in the world; unit unless `no_bump_scale` says otherwise.
+    /// Updates the sample's bent normal, so that the pigment's `slope` and `aoi` see these bumps.
+    pub fn bend(&self, sample: &mut Sample) -> DVec3 {
+        let Some(normal) = &self.normal else { return sample.normal };
+        // The layer's own place counts as part of the normal block, patterned textures don't.
+        let (place, outer) = match sample.enclosing {
+            Some(place) if place.of_layers => (Some(place.warps), place.outer),
+            outer => (None, outer),
+        };
+        let mut n = outer.map_or(sample.normal, |outer| outer.inward(sample.normal));
+        n = place.map_or(n, |place| place.normal_inward(n, true));
+        n = normal.bend(sample, n);
+        n = place.map_or(n, |place| place.normal_outward(n, true)).normalize_or_zero();
+        sample.bent = n;
+        outer.map_or(n, |outer| outer.outward(n))
+    }
+}

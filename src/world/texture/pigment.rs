@@ -1,0 +1,110 @@
+//! Pigments: the colour at a sample (docs/spec/patterns-textures.md 3).
+
+use std::sync::Arc;
+
+use super::blend_map::{BlendMap, Pick};
+use crate::math::color::grey;
+use crate::math::{Rgb, Rgbft};
+use crate::world::image::ImageMap;
+use crate::world::pattern::Pattern;
+use crate::world::sample::{Colors, Field, Sample};
+use crate::world::warp::Warps;
+
+/// Where colours come from.
+#[derive(Clone, Debug)]
+pub enum Pigment {
+    /// One colour everywhere.
+    Color(Rgbft),
+    /// A pattern looked up in a map of colours.
+    Colors(Pattern, BlendMap<Rgbft>),
+    /// A pattern looked up in a map of pigments, which are evaluated at the pattern's warped point.
+    Pigments(Pattern, BlendMap<Arc<Pigment>>),
+    /// `average`: the map's positions are weights.
+    Average(Warps, BlendMap<Arc<Pigment>>),
+    /// `image_map`.
+    Image(Warps, Box<ImageMap>),
+    /// Evaluated at `<u,v,0>`.
+    UvMapped(Arc<Pigment>),
+}
+
+impl Pigment {
+    /// The colour at `sample`; `None` outside a `once` image, where nothing was painted.
+    pub fn color(&self, sample: &Sample) -> Option<Rgbft> {
+        match self {
+            Self::Color(color) => Some(*color),
+            Self::Colors(pattern, map) => Some(match map.pick(pattern.value(sample)) {
+                Pick::One(color) => *color,
+                Pick::Two { previous, current, t } => blend(*previous, *current, t),
+            }),
+            Self::Pigments(pattern, map) => {
+                let inner = sample.moved(pattern.warps.point(sample.point));
+                match map.pick(pattern.value_at(inner.point, sample)) {
+                    Pick::One(pigment) => pigment.color(&inner),
+                    Pick::Two { previous, current, t } => {
+                        let (previous, current) = (previous.color(&inner), current.color(&inner));
+                        let painted = previous.is_some() || current.is_some();
+                        painted.then(|| blend(or_clear(previous), or_clear(current), t))
+                    }
+                }
+            }
+            Self::Average(warps, map) => {
+                let inner = sample.moved(warps.point(sample.point));
+                let mut sum = [0_f32; 5];
+                let mut total = 0_f32;
+                for (weight, pigment) in map.entries() {
+                    let color = or_clear(pigment.color(&inner)).to_array();
+                    for (sum, component) in sum.iter_mut().zip(color) {
+                        *sum += component * weight;
+                    }
+                    total += weight;
+                }
+                Some(Rgbft::new(sum.map(|component| component / total)))
+            }
+            Self::Image(warps, map) => map.color(warps.point(sample.point)),
+            Self::UvMapped(pigment) => pigment.color(&sample.uv_mapped()),
+        }
+    }
+
+    /// The colour as a media density takes it.
+    pub fn density(&self, sample: &Sample) -> Rgb {
+        or_clear(self.color(sample)).rgb
+    }
+
+    /// Whether nothing shines through anywhere (docs/spec/patterns-textures.md 7.3).
+    pub fn is_opaque(&self) -> bool {
+        let clear = |c: &Rgbft| c.filter.abs() > 1e-10 || c.transmit.abs() > 1e-10;
+        match self {
+            Self::Color(color) => !clear(color),
+            Self::Colors(_, map) => !map.entries().iter().any(|(_, color)| clear(color)),
+            Self::Pigments(_, map) | Self::Average(_, map) => {
+                map.entries().iter().all(|(_, pigment)| pigment.is_opaque())
+            }
+            Self::Image(_, map) => !map.once && map.clearness == [0.0; 2] && map.image.is_opaque(),
+            Self::UvMapped(pigment) => pigment.is_opaque(),
+        }
+    }
+}
+
+/// What POV-Ray takes for a colour outside a `once` image.
+fn or_clear(color: Option<Rgbft>) -> Rgbft {
+    color.unwrap_or(Rgbft { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 })
+}
+
+/// Every component by itself, the share in double precision (docs/spec/patterns-textures.md 3.2).
+fn blend(previous: Rgbft, current: Rgbft, t: f64) -> Rgbft {
+    let (previous, current) = (previous.to_array(), current.to_array());
+    Rgbft::new(std::array::from_fn(|k| previous[k] + (t * f64::from(current[k] - previous[k])) as f32))
+}
+
+impl Colors for Pigment {
+    fn color(&self, sample: &Sample) -> Rgbft {
+        or_clear(self.color(sample))
+    }
+}
+
+/// A pigment seen as grey: `pigment_pattern`.
+impl Field for Pigment {
+    fn value(&self, sample: &Sample) -> f64 {
+        f64::from(grey(or_clear(self.color(sample)).rgb))
+    }
+}

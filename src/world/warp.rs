@@ -1,0 +1,153 @@
+//! Warps: what moves a point before a pattern sees it (docs/spec/patterns-textures.md 5).
+
+pub mod black_hole;
+pub mod mapping;
+pub mod repeat;
+
+pub use black_hole::BlackHole;
+pub use mapping::{Mapping, Projection};
+pub use repeat::Repeat;
+
+use crate::math::noise::Octaves;
+use crate::math::{DVec3, Transform};
+
+/// One step on the way to a pattern.
+#[derive(Clone, Debug)]
+pub enum Warp {
+    /// Acts inversely.
+    Transform(Box<Transform>),
+    /// `turbulence`: strength along each axis, and the noise.
+    Turbulence(DVec3, Octaves),
+    /// `repeat`.
+    Repeat(Box<Repeat>),
+    /// `black_hole`.
+    BlackHole(Box<BlackHole>),
+    /// `spherical`, `cylindrical`, `toroidal`, `planar`.
+    Mapping(Box<Mapping>),
+    /// `cubic`.
+    Cubic,
+}
+
+/// Coordinates are kept within this (docs/spec/patterns-textures.md 5.1).
+const FARTHEST: DVec3 = DVec3::splat(1e17);
+
+/// The way from a space to that of a pattern, in the order a point goes.
+#[derive(Clone, Debug, Default)]
+pub struct Warps {
+    steps: Box<[Warp]>,
+}
+
+impl Warps {
+    /// The steps in the order a point goes through them.
+    pub fn new(steps: impl IntoIterator<Item = Warp>) -> Self {
+        Self { steps: steps.into_iter().collect() }
+    }
+
+    /// Whether nothing moves.
+    pub fn is_empty(&self) -> bool {
+        self.steps.is_empty()
+    }
+
+    /// Where the pattern sees `p`.
+    pub fn point(&self, mut p: DVec3) -> DVec3 {
+        for step in &self.steps {
+            p = match step {
+                Warp::Transform(transform) => transform.inverse_point(p),
+                Warp::Turbulence(amount, octaves) => p + octaves.vector(p) * *amount,
+                Warp::Repeat(repeat) => repeat.point(p),
+                Warp::BlackHole(hole) => hole.point(p),
+                Warp::Mapping(mapping) => mapping.point(p),
+                Warp::Cubic => mapping::cubic(p),
+            };
+        }
+        p.clamp(-FARTHEST, FARTHEST)
+    }
+
+    /// A normal seen from the pattern's space; only transforms turn it
+    /// (docs/spec/patterns-textures.md 4.1, step 1). Unit unless `raw`.
+    pub fn normal_inward(&self, normal: DVec3, raw: bool) -> DVec3 {
+        let mut n = unit(normal, raw);
+        for step in &self.steps {
+            if let Warp::Transform(transform) = step {
+                n = transform.forward.matrix3.transpose() * n;
+            }
+        }
+        unit(n, raw)
+    }
+
+    /// A normal of the pattern's space seen from outside (docs/spec/patterns-textures.md 4.1, step 4).
+    /// Unit unless `raw`.
+    pub fn normal_outward(&self, normal: DVec3, raw: bool) -> DVec3 {
+        let mut n = unit(normal, raw);
+        for step in self.steps.iter().rev() {
+            if let Warp::Transform(transform) = step {
+                n = transform.normal(n);
+            }
+        }
+        unit(n, raw)
+    }
+}
+
+fn unit(n: DVec3, raw: bool) -> DVec3 {
+    if raw { n } else { n.normalize_or_zero() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TURBULENCE: Octaves = Octaves { count: 6, omega: 0.5, lambda: 2.0 };
+
+    fn check(warps: &Warps, expected: [[f64; 3]; 3]) {
+        let points = [[0.1, 0.2, 0.3], [-1.3, 2.7, 0.45], [0.55, 0.7, 0.5]];
+        for (p, expected) in points.into_iter().zip(expected) {
+            let found = warps.point(DVec3::from_array(p));
+            let shown = found.map(|v| if v < 0.0 { v - v.floor() } else { v });
+            assert!(shown.abs_diff_eq(DVec3::from_array(expected), 2e-15), "{p:?}: {shown} not {expected:?}");
+        }
+    }
+
+    /// docs/spec/patterns-textures.md 5.3.
+    #[test]
+    fn turbulence_moves_points_as_povray_does() {
+        check(
+            &Warps::new([Warp::Turbulence(DVec3::new(0.3, 0.4, 0.5), TURBULENCE)]),
+            [
+                [0.085242282497882, 0.117128669121276, 0.022562419265250],
+                [0.800903589810997, 2.611329978756541, 0.545159202753761],
+                [0.557975626066967, 0.576041439137104, 0.616467304606640],
+            ],
+        );
+    }
+
+    #[test]
+    fn steps_act_in_order() {
+        let width = Repeat::new(DVec3::X * 0.7, DVec3::ZERO, DVec3::ZERO);
+        let scale = Transform::scale(DVec3::new(2.0, 3.0, 4.0));
+        let outer = Transform::rotate(DVec3::new(10.0, 20.0, 30.0))
+            .then(&Transform::translate(DVec3::new(1.0, 2.0, 3.0)));
+        check(
+            &Warps::new([
+                Warp::Transform(Box::new(outer)),
+                Warp::Repeat(Box::new(width)),
+                Warp::Transform(Box::new(scale)),
+            ]),
+            [
+                [0.022656551568311, 0.455894091553452, 0.282063550591595],
+                [0.014654551865517, 0.405308804741879, 0.195551559574790],
+                [0.289020593137592, 0.547721063928303, 0.373171677882650],
+            ],
+        );
+    }
+
+    #[test]
+    fn normals_come_back_as_they_went() {
+        let skewed = Transform::scale(DVec3::new(2.0, 0.3, 1.0)).then(&Transform::rotate(DVec3::splat(33.0)));
+        let warps = Warps::new([Warp::Transform(Box::new(skewed)), Warp::Cubic]);
+        let n = DVec3::new(0.48, 0.6, 0.64);
+        for raw in [false, true] {
+            let there = warps.normal_inward(n, raw);
+            assert!(warps.normal_outward(there, raw).abs_diff_eq(n, 1e-14));
+        }
+    }
+}
