@@ -7,7 +7,7 @@ use super::tuple::to_int;
 use super::value::Value;
 use super::{Fault, Result, Vm};
 use crate::source::Span;
-use crate::syntax::{NodeKind, Punct, Symbol};
+use crate::syntax::{Punct, Symbol};
 use std::rc::Rc;
 
 /// Values in one to five dimensions, all of one kind.
@@ -84,9 +84,7 @@ impl Vm<'_> {
     pub(super) fn element(&mut self, place: Place, symbol: Symbol, span: Span) -> Result<Place> {
         let mut place = place;
         loop {
-            let bracket =
-                matches!(self.node(), Some((node, _)) if node.kind == NodeKind::Punct(Punct::OpenBracket));
-            if !bracket {
+            if !self.at_bracket() {
                 return Ok(place);
             }
             let array = match place.get() {
@@ -110,9 +108,7 @@ impl Vm<'_> {
         let mut subscripts = Vec::with_capacity(array.sizes.len());
         let start = self.frame.tree.span(self.frame.pos);
         for _ in &array.sizes {
-            let bracket =
-                matches!(self.node(), Some((node, _)) if node.kind == NodeKind::Punct(Punct::OpenBracket));
-            if !bracket {
+            if !self.at_bracket() {
                 let name = self.symbols.name(symbol);
                 let (wanted, given) = (array.sizes.len(), subscripts.len());
                 let message =

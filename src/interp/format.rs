@@ -11,14 +11,12 @@ const LONGEST: usize = 254;
 pub fn format_float(value: f64, length: i32, precision: i32) -> String {
     let precision = if precision < 0 { 6 } else { precision as usize };
     let width = length.unsigned_abs() as usize;
-    let digits = if value.is_finite() { 309 } else { 4 };
-    let whole = if value.abs() < 10.0 { 1 } else { (value.abs().log10() as usize + 1).min(digits) };
-    let text = if whole + 2 + precision.min(1000) > LONGEST || width > LONGEST {
+    let digits = if value.is_finite() && value.abs() >= 10.0 { value.abs().log10() as usize + 1 } else { 1 };
+    if digits + 2 + precision.min(1000) > LONGEST || width > LONGEST {
         pad(general(value, precision.min(LONGEST)), width.min(LONGEST), length < 0)
     } else {
         pad(fixed(value, precision), width, length < 0)
-    };
-    text
+    }
 }
 
 fn fixed(value: f64, precision: usize) -> String {

@@ -6,7 +6,7 @@
 
 use super::scope::Place;
 use super::value::Value;
-use super::{Result, Vm, Word};
+use super::{Fault, Result, Vm, Word};
 use crate::source::Span;
 use crate::syntax::{Node, NodeKind, Punct, Symbol, Tree};
 use std::rc::Rc;
@@ -98,8 +98,13 @@ impl Vm<'_> {
         if let Some(token) = self.ahead {
             return token;
         }
-        let Some((node, span)) = self.node() else {
-            return Token { kind: TokenKind::End, span: self.end_span() };
+        let (node, span) = loop {
+            match self.node() {
+                // It was reported when the file was read.
+                Some((Node { kind: NodeKind::Error(_), .. }, _)) => self.frame.pos += 1,
+                Some(found) => break found,
+                None => return Token { kind: TokenKind::End, span: self.end_span() },
+            }
         };
         let kind = match node.kind {
             NodeKind::Directive(..) => return Token { kind: TokenKind::Punct(Punct::Hash), span },
@@ -135,11 +140,6 @@ impl Vm<'_> {
         loop {
             if self.frame.pos < self.frame.end {
                 let node = self.frame.tree.nodes[self.frame.pos];
-                if let NodeKind::Error(_) = node.kind {
-                    // It was reported when the file was read.
-                    self.frame.pos += 1;
-                    continue;
-                }
                 let span = Span { file: self.frame.tree.file, start: node.start, end: node.end };
                 return Some((node, span));
             }
@@ -147,6 +147,12 @@ impl Vm<'_> {
                 return None;
             }
         }
+    }
+
+    /// Whether `[` follows in the same file or macro.
+    pub(super) fn at_bracket(&self) -> bool {
+        let frame = &self.frame;
+        frame.pos < frame.end && frame.tree.nodes[frame.pos].kind == NodeKind::Punct(Punct::OpenBracket)
     }
 
     /// Finds the next token and keeps it in `ahead`.
@@ -183,7 +189,7 @@ impl Vm<'_> {
                         None => continue,
                     }
                 }
-                NodeKind::Error(_) => continue,
+                NodeKind::Error(_) => return Err(Fault::reported()),
             };
             let token = Token { kind, span };
             self.ahead = Some(token);
@@ -194,7 +200,7 @@ impl Vm<'_> {
     /// Finds out what a name stands for: calls it and answers `false` if it is a macro, else
     /// leaves its place in `place`.
     #[inline]
-    fn resolve(&mut self, symbol: Symbol, span: Span) -> Result<bool> {
+    pub(super) fn resolve(&mut self, symbol: Symbol, span: Span) -> Result<bool> {
         self.place = None;
         let Some(place) = self.scopes.find(symbol) else { return Ok(true) };
         let array = match place {

@@ -7,7 +7,7 @@ use crate::interp::tuple::{to_int, truth};
 use crate::interp::value::Value;
 use crate::interp::{Result, Vm, Word, tuple::Tuple};
 use crate::source::Span;
-use crate::syntax::{NodeKind, Punct};
+use crate::syntax::Punct;
 
 /// Whether a word is a function or changing constant that gives a float.
 pub fn is_function(word: Word) -> bool {
@@ -271,8 +271,7 @@ impl Vm<'_> {
             TokenKind::Name(symbol) => symbol,
             _ => return Err(self.expected_at(token, &format!("a name after `{}(`", asking.text()))),
         };
-        let bracket =
-            matches!(self.node(), Some((node, _)) if node.kind == NodeKind::Punct(Punct::OpenBracket));
+        let bracket = self.at_bracket();
         match self.scopes.find(symbol).cloned() {
             None => Ok(false),
             Some(place) if bracket => {

@@ -7,6 +7,7 @@
 use super::Open;
 use crate::interp::stream::TokenKind;
 use crate::interp::tuple::truth;
+use crate::interp::value::Value;
 use crate::interp::{Fault, Result, Vm, Word};
 use crate::source::Span;
 use crate::syntax::{Directive, NO_LINK, NodeKind, Punct, Symbol};
@@ -184,7 +185,9 @@ impl Vm<'_> {
             (BlockKind::Arm { last: true }, Directive::Elseif | Directive::Else) => {
                 let word = directive.text();
                 let fault = self.error(span, format!("`#{word}` after `#else`"));
-                Err(fault.see(opener, "of this directive").help("`#else` is the last arm"))
+                self.settle(fault.see(opener, "of this directive").help("`#else` is the last arm"));
+                self.blocks.pop();
+                self.skip_block(link, opener)
             }
             // One clause runs on into the next, until `#break`.
             (BlockKind::Clause { link: next }, Directive::Else) => {
@@ -227,7 +230,7 @@ impl Vm<'_> {
         self.find_clause(link, span, value)
     }
 
-    /// Directives that leave no tokens may stand before the first `#case`.
+    /// Directives and macros that leave no tokens may stand before the first `#case`.
     fn late_clause(&mut self, link: u32, span: Span, value: f64) -> Result<()> {
         loop {
             match self.node() {
@@ -240,6 +243,10 @@ impl Vm<'_> {
                     {
                         self.frame.pos += 1;
                         self.run(directive, next, at)?;
+                    }
+                    NodeKind::Word(symbol) if matches!(self.lookup(symbol), Some(Value::Macro(_))) => {
+                        self.frame.pos += 1;
+                        self.resolve(symbol, at)?;
                     }
                     _ => {
                         let fault = self.error(at, "`#switch` has to be followed by `#case` or `#range`");

@@ -7,7 +7,7 @@ use crate::interp::stream::{Token, TokenKind};
 use crate::interp::value::Value;
 use crate::interp::{Fault, Result, Vm, Word, statement};
 use crate::source::Span;
-use crate::syntax::{NodeKind, Punct, Symbol};
+use crate::syntax::{Punct, Symbol};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -126,8 +126,7 @@ impl Vm<'_> {
 
     /// The element of an array a declaration names by subscripts.
     fn target_element(&mut self, symbol: Symbol, span: Span) -> Result<Option<Place>> {
-        let bracket =
-            matches!(self.node(), Some((node, _)) if node.kind == NodeKind::Punct(Punct::OpenBracket));
+        let bracket = self.at_bracket();
         let place = self.scopes.find(symbol).cloned();
         match place.as_ref().and_then(Place::get) {
             Some(Value::Array(_)) if bracket => {}

@@ -1,0 +1,81 @@
+//! The probe tables of docs/spec/language.md: what POV-Ray was seen to print, povista prints.
+//!
+//! A row is a piece of scene and what comes out: the lines of the debug stream with trailing zeros
+//! of numbers cut, then `W` for each warning, `P` for each possible error and `E` for an error.
+
+mod arrays;
+mod directives;
+mod expressions;
+mod files;
+mod functions;
+mod lexical;
+mod limits;
+mod macros;
+mod strings;
+
+use povista::diag::Severity;
+use povista::interp::check::{Checked, check_with};
+use povista::options::LanguageOptions;
+use povista::source::{Library, Source};
+
+/// The printing macros the tables use.
+const PRELUDE: &str = r#"#version 3.7;
+#macro F(e) #debug concat(str(e,0,12),"\n") #end
+#macro V(e) #debug concat(vstr(3,e,",",0,9),"\n") #end
+#macro V5(e) #debug concat(vstr(5,e,",",0,9),"\n") #end
+#macro V2(e) #debug concat(vstr(2,e,",",0,9),"\n") #end
+#macro S(e) #debug concat("[",e,"]\n") #end
+"#;
+
+/// Checks every row of a table, and reports all that differ.
+pub(crate) fn probe(table: &[(&str, &str)]) {
+    let library = Library::default;
+    probe_in(&library, table);
+}
+
+/// The same with files to include.
+pub(crate) fn probe_in(library: &dyn Fn() -> Library, table: &[(&str, &str)]) {
+    let mut wrong = Vec::new();
+    for &(scene, wanted) in table {
+        let checked = run(scene, library());
+        let found = outcome(&checked);
+        if found != wanted {
+            wrong.push(format!("{scene}\n  wanted: {wanted}\n  found:  {found}\n{checked}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {} differ:\n{}", wrong.len(), table.len(), wrong.join("\n"));
+}
+
+/// Reads a piece of scene after the prelude.
+pub(crate) fn run(scene: &str, library: Library) -> Checked {
+    let text = format!("{PRELUDE}{scene}\n");
+    check_with(Source::new("scene.pov", "", text.into_bytes()), library, &LanguageOptions::default())
+}
+
+fn outcome(checked: &Checked) -> String {
+    let mut parts: Vec<String> = checked.debug.lines().map(trimmed).collect();
+    let mut severities: Vec<Severity> = checked.diagnostics.iter().map(|d| d.severity).collect();
+    severities.sort();
+    severities.dedup_by(|a, b| a == b && *a == Severity::Error);
+    parts.extend(severities.iter().map(|severity| {
+        let letter = match severity {
+            Severity::Warning => "W",
+            Severity::Possible => "P",
+            Severity::Error => "E",
+        };
+        letter.to_owned()
+    }));
+    parts.join(" ")
+}
+
+/// A line with the trailing zeros of its numbers cut.
+fn trimmed(line: &str) -> String {
+    let cut = |number: &str| match number.contains('.') && number.parse::<f64>().is_ok() {
+        true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => number.to_owned(),
+    };
+    if line.starts_with('[') {
+        return line.to_owned();
+    }
+    line.split(',').map(cut).collect::<Vec<_>>().join(",")
+}
