@@ -1,0 +1,2 @@
+#version 3.7;
+#declare A = 2 * rgb <1, 0, 0>;

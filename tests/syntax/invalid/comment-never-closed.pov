@@ -1,0 +1,3 @@
+#version 3.7;
+/* outer /* inner */
+#declare A = 1;

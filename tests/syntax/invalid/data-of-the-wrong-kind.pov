@@ -1,0 +1,3 @@
+#version 3.7;
+#fopen Data "bad-data.txt" read
+#read (Data, A, B)

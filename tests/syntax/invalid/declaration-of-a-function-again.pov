@@ -1,0 +1,3 @@
+#version 3.7;
+#declare f = function(x) { x }
+#declare f = function(x) { 2*x }

@@ -1,0 +1,3 @@
+#version 3.7;
+#declare A = array[2] {1, 2}
+#declare A[0] = "text";

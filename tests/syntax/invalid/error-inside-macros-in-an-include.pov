@@ -1,0 +1,3 @@
+#version 3.7;
+#include "roots.inc"
+#declare A = Outer(-4);

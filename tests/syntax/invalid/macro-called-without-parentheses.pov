@@ -1,0 +1,3 @@
+#version 3.7;
+#macro One() 1 #end
+#declare A = One + 1;

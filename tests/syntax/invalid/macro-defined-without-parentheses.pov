@@ -1,0 +1,2 @@
+#version 3.7;
+#macro One 1 #end

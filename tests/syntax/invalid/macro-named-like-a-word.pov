@@ -1,0 +1,2 @@
+#version 3.7;
+#macro box() 1 #end

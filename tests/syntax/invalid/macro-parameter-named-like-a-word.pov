@@ -1,0 +1,2 @@
+#version 3.7;
+#macro Box(x, Height) 1 #end

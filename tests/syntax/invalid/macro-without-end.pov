@@ -1,0 +1,4 @@
+#version 3.7;
+#macro Box()
+  #if (1)
+#end

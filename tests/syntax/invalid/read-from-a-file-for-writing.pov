@@ -1,0 +1,3 @@
+#version 3.7;
+#fopen Log "/dev/null" append
+#read (Log, A)

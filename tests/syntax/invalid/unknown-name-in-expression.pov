@@ -1,0 +1,3 @@
+#version 3.7;
+#declare Radius = 2;
+#declare Area = pi * pow(Raduis, 2);

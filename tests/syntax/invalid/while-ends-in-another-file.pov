@@ -1,0 +1,3 @@
+#version 3.7;
+#include "starts-while.inc"
+#end

@@ -1,0 +1,4 @@
+#version 3.7;
+#declare I = 0;
+#while (I < 3)
+  #declare I = I + 1;

@@ -1,0 +1,3 @@
+#version 3.7;
+#fopen Data "data.txt" read
+#write (Data, 1)
