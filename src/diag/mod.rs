@@ -97,7 +97,11 @@ impl Diagnostic {
 /// The word among the known ones that somebody probably meant: close in spelling, or the same in
 /// another case.
 pub fn closest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let allowed = (word.chars().count() / 3).max(1);
+    // Of a very short word everything is close to everything.
+    let allowed = match word.chars().count() {
+        0..=2 => 0,
+        length => (length / 3).max(1),
+    };
     known
         .into_iter()
         .filter(|other| *other != word)

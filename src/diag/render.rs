@@ -89,7 +89,8 @@ fn report(diagnostic: &Diagnostic, sources: &Sources, handler: GraphicalReportHa
 /// What miette needs to know of a diagnostic.
 #[derive(Debug)]
 struct Report {
-    severity: Severity,
+    /// `None` for a place of its own that only adds to another report.
+    severity: Option<Severity>,
     message: String,
     help: Option<String>,
     code: Option<NamedSource<Arc<str>>>,
@@ -113,7 +114,7 @@ impl Report {
                 labels.push(labeled(label.span, &label.text, false));
             } else {
                 related.push(Report {
-                    severity: Severity::Warning,
+                    severity: None,
                     message: label.text.clone(),
                     help: None,
                     code: Some(code(sources.get(label.span.file))),
@@ -123,7 +124,7 @@ impl Report {
             }
         }
         Report {
-            severity: diagnostic.severity,
+            severity: Some(diagnostic.severity),
             message: diagnostic.message.clone(),
             help: diagnostic.help.clone(),
             code: main.map(|id| code(sources.get(id))),
@@ -153,8 +154,9 @@ impl std::error::Error for Report {}
 impl miette::Diagnostic for Report {
     fn severity(&self) -> Option<miette::Severity> {
         Some(match self.severity {
-            Severity::Error => miette::Severity::Error,
-            Severity::Possible | Severity::Warning => miette::Severity::Warning,
+            Some(Severity::Error) => miette::Severity::Error,
+            Some(Severity::Possible | Severity::Warning) => miette::Severity::Warning,
+            None => miette::Severity::Advice,
         })
     }
 

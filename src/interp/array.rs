@@ -111,8 +111,7 @@ impl Vm<'_> {
             if !self.at_bracket() {
                 let name = self.symbols.name(symbol);
                 let (wanted, given) = (array.sizes.len(), subscripts.len());
-                let message =
-                    format!("array `{name}` has {wanted} dimensions, but {given} subscripts are given");
+                let message = format!("array `{name}` needs {wanted} subscripts, but has {given} here");
                 return Err(self.error(span.to(self.last), message));
             }
             let open = self.next_raw().span;

@@ -201,7 +201,7 @@ impl Vm<'_> {
                 self.take(token);
                 self.nested(token.span, |vm| vm.inside(|vm| vm.vector_literal(token.span)))
             }
-            TokenKind::Text | TokenKind::Punct(_) | TokenKind::End => {
+            TokenKind::Text | TokenKind::Punct(_) | TokenKind::Bad | TokenKind::End => {
                 Err(self.expected("a number or vector"))
             }
         }
@@ -227,6 +227,10 @@ impl Vm<'_> {
             }
             if tuple.n == 5 {
                 return Err(self.error(open.to(start.span), "a vector has at most five components"));
+            }
+            if tuple.n > 0 && matches!(start.kind, TokenKind::Punct(_)) && !self.at_number()? {
+                let fault = self.expected("`,` or `>`");
+                return Err(fault.see(open, "in the vector that starts here"));
             }
             let value = self.arith(1)?;
             if value.n != 1 {

@@ -32,6 +32,11 @@ impl Fault {
         self
     }
 
+    /// Whether it says how to mend it.
+    pub fn has_help(&self) -> bool {
+        self.0.as_ref().is_none_or(|diagnostic| diagnostic.help.is_some())
+    }
+
     /// Says what is to be seen at the place itself.
     pub fn label(mut self, text: impl Into<String>) -> Fault {
         if let Some(diagnostic) = &mut self.0 {

@@ -314,6 +314,12 @@ impl Body {
             TokenKind::Punct(Punct::OpenParen) => {
                 vm.take(token);
                 let inner = self.deeper(vm, token.span, |body, vm| body.expression(vm, 0))?;
+                if vm.peek()?.kind == TokenKind::Punct(Punct::Question) {
+                    let fault = vm.expected("`)`");
+                    return Err(fault.help(
+                        "a function has no `?`: write `select(A, B, C)`, which is B for A < 0, else C",
+                    ));
+                }
                 vm.close_paren(token.span)?;
                 Ok(Operand { plain: false, ..inner })
             }
@@ -327,9 +333,11 @@ impl Body {
                 Ok(constant(vm.options.clock.value))
             }
             TokenKind::Word(word) => self.word(vm, token, word),
-            TokenKind::Vector(_) | TokenKind::Text | TokenKind::Punct(_) | TokenKind::End => {
-                Err(no_operand(vm))
-            }
+            TokenKind::Vector(_)
+            | TokenKind::Text
+            | TokenKind::Punct(_)
+            | TokenKind::Bad
+            | TokenKind::End => Err(no_operand(vm)),
         }
     }
 
@@ -511,7 +519,11 @@ impl Body {
 }
 
 fn no_operand(vm: &mut Vm) -> Fault {
-    vm.expected("an operand of a function: a number, a parameter, a float variable or a call")
+    let fault = vm.expected("an operand");
+    match fault.has_help() {
+        true => fault,
+        false => fault.help("functions calculate with numbers, parameters, float variables and calls"),
+    }
 }
 
 /// Puts two trees together; numbers are combined, and a division by one becomes a product, as

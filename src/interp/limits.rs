@@ -10,9 +10,6 @@ pub const MOST_BLOCKS: usize = 2000;
 /// Parentheses, vectors and statements inside each other.
 pub const MOST_NESTING: u32 = 1000;
 
-/// Turns all loops of a scene may make together, unless set otherwise: minutes of work.
-pub const MOST_TURNS: u64 = 100_000_000;
-
 /// Elements of one array: with more, the memory of an ordinary machine would not do.
 pub const MOST_ELEMENTS: usize = 1 << 26;
 

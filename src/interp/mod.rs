@@ -139,6 +139,7 @@ pub fn interpret(
     options: &LanguageOptions,
     sink: &mut dyn Sink,
 ) -> Option<Scene> {
+    sources.library.paths.extend(options.library_paths.iter().cloned());
     let mut vm = Vm::new(main, sources, options, sink);
     vm.run_scene();
     if vm.failed { None } else { statement::finish(vm) }
@@ -228,6 +229,7 @@ impl<'a> Vm<'a> {
 
     /// Reads the scene from its first token to its last.
     fn run_scene(&mut self) {
+        self.include_header();
         while !self.stopped {
             let depth = self.depth;
             match self.top_level() {
@@ -243,6 +245,15 @@ impl<'a> Vm<'a> {
         }
         if !self.stopped {
             self.check_end();
+        }
+    }
+
+    /// Starts with the file that is to be read before the scene.
+    fn include_header(&mut self) {
+        let Some(header) = &self.options.include_header else { return };
+        let start = Span { end: 0, ..self.frame.tree.span(0) };
+        if let Err(fault) = self.include_file(&header.display().to_string(), start, start) {
+            self.settle(fault);
         }
     }
 

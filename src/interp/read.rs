@@ -125,17 +125,33 @@ impl Vm<'_> {
 
     /// The same for a given token.
     pub(super) fn expected_at(&mut self, token: Token, what: &str) -> Fault {
+        if token.kind == TokenKind::Bad {
+            return Fault::reported();
+        }
         if let TokenKind::Name(symbol) = token.kind
             && self.scopes.find(symbol).and_then(Place::get).is_some_and(|v| matches!(v, Value::Poisoned))
         {
             return Fault::reported();
         }
-        let found = self.describe(token);
-        let fault = self.error(token.span, format!("expected {what}, found {found}"));
+        let message = match token.kind {
+            TokenKind::Name(symbol) if self.is_unknown_call(token) => {
+                format!("there is no macro or function `{}`", self.name(symbol))
+            }
+            _ => format!("expected {what}, found {}", self.describe(token)),
+        };
+        let fault = self.error(token.span, message);
         match self.suggestion(token) {
             Some(help) => fault.help(help),
             None => fault,
         }
+    }
+
+    /// Whether a name that stands for nothing is called like a macro.
+    fn is_unknown_call(&self, token: Token) -> bool {
+        let TokenKind::Name(symbol) = token.kind else { return false };
+        let text = &self.sources.get(token.span.file).text;
+        let after = text.get(token.span.end as usize..).unwrap_or_default();
+        !self.scopes.is_bound(symbol) && after.trim_start().starts_with('(')
     }
 
     /// What a token is, for messages.
@@ -159,6 +175,7 @@ impl Vm<'_> {
             TokenKind::Text => "a string".to_owned(),
             TokenKind::Punct(Punct::Hash) => format!("`{}`", self.sources.text(token.span)),
             TokenKind::Punct(punct) => format!("`{}`", punct.text()),
+            TokenKind::Bad => "no token".to_owned(),
             TokenKind::End => "the end of the scene".to_owned(),
         }
     }
@@ -176,7 +193,11 @@ impl Vm<'_> {
                 });
             }
         }
-        let TokenKind::Name(symbol) = token.kind else { return None };
+        let symbol = match token.kind {
+            TokenKind::Name(symbol) => symbol,
+            TokenKind::Punct(punct) => return self.foreign_operator(token, punct).map(str::to_owned),
+            _ => return None,
+        };
         if self.scopes.is_bound(symbol) {
             return None;
         }
@@ -185,6 +206,24 @@ impl Vm<'_> {
         let mut known: Vec<&str> = Word::spellings().collect();
         known.extend(bound.iter().map(|name| &**name));
         closest(&name, known).map(|word| format!("did you mean `{word}`?"))
+    }
+
+    /// The help for operators of other languages.
+    fn foreign_operator(&self, token: Token, punct: Punct) -> Option<&'static str> {
+        let text = &self.sources.get(token.span.file).text;
+        let before = text.get(..token.span.start as usize).unwrap_or_default();
+        Some(match punct {
+            Punct::Equal if before.ends_with('=') => "there is no `==`: a single `=` compares",
+            Punct::And if before.ends_with('&') => "there is no `&&`: a single `&` means and",
+            Punct::Or if before.ends_with('|') => "there is no `||`: a single `|` means or",
+            Punct::Caret => "there is no operator `^`: write `pow(A, B)`",
+            Punct::Percent => "there is no operator `%`: write `mod(A, B)`",
+            Punct::Apostrophe => "strings stand between double quotes",
+            Punct::CloseBrace if self.depth <= 0 => {
+                "no brace is open here: remove it, or look for one too many above"
+            }
+            _ => return None,
+        })
     }
 
     /// The value of the name that was peeked, if `pick` has a use for it; it is then taken.
@@ -285,7 +324,7 @@ impl Vm<'_> {
                 }
                 None => false,
             },
-            TokenKind::Text | TokenKind::End => false,
+            TokenKind::Text | TokenKind::Bad | TokenKind::End => false,
         })
     }
 

@@ -78,7 +78,7 @@ impl Vm<'_> {
 
     /// Takes one token without running anything; of conditionals the first arm is passed.
     /// `None` at the end of the scene.
-    fn skip_token(&mut self) -> Option<Token> {
+    pub(super) fn skip_token(&mut self) -> Option<Token> {
         loop {
             if self.ahead.is_none()
                 && let Some((node, span)) = self.node()

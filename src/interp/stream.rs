@@ -35,6 +35,8 @@ pub enum TokenKind {
     Text,
     /// Punctuation. A directive read raw is a [`Punct::Hash`].
     Punct(Punct),
+    /// What is no token of the language; that was reported when the file was read.
+    Bad,
     /// The end of the scene.
     End,
 }
@@ -98,13 +100,8 @@ impl Vm<'_> {
         if let Some(token) = self.ahead {
             return token;
         }
-        let (node, span) = loop {
-            match self.node() {
-                // It was reported when the file was read.
-                Some((Node { kind: NodeKind::Error(_), .. }, _)) => self.frame.pos += 1,
-                Some(found) => break found,
-                None => return Token { kind: TokenKind::End, span: self.end_span() },
-            }
+        let Some((node, span)) = self.node() else {
+            return Token { kind: TokenKind::End, span: self.end_span() };
         };
         let kind = match node.kind {
             NodeKind::Directive(..) => return Token { kind: TokenKind::Punct(Punct::Hash), span },
@@ -117,7 +114,7 @@ impl Vm<'_> {
             NodeKind::Vector(index) => TokenKind::Vector(index),
             NodeKind::Text => TokenKind::Text,
             NodeKind::Punct(punct) => TokenKind::Punct(punct),
-            NodeKind::Error(_) => TokenKind::End,
+            NodeKind::Error(_) => TokenKind::Bad,
         };
         let token = Token { kind, span };
         self.frame.pos += 1;
@@ -189,6 +186,7 @@ impl Vm<'_> {
                         None => continue,
                     }
                 }
+                // It was reported when the file was read.
                 NodeKind::Error(_) => return Err(Fault::reported()),
             };
             let token = Token { kind, span };

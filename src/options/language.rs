@@ -26,6 +26,9 @@ pub struct LanguageOptions {
     pub clock: Clock,
     /// Whether things that cannot be rendered yet are left out with a warning.
     pub skip_unsupported: bool,
+    /// Turns that all loops of a scene may make together, calls of macros counted too; then the
+    /// scene is stopped with an error.
+    pub max_turns: u64,
 }
 
 /// A constant declared from outside the scene.
@@ -78,6 +81,7 @@ impl Default for LanguageOptions {
             image_height: 600,
             clock: Clock::default(),
             skip_unsupported: false,
+            max_turns: 100_000_000,
         }
     }
 }

@@ -175,8 +175,9 @@ impl Reader<'_> {
             *before = end as u32;
             return;
         }
-        let code = u32::from(text.chars().next().unwrap_or_default());
-        let message = format!("the character `{}` (0x{code:02X}) cannot stand here", text.escape_default());
+        let c = text.chars().next().unwrap_or_default();
+        let shown = if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+        let message = format!("the character `{shown}` (0x{:02X}) cannot stand here", u32::from(c));
         self.error(start, end, message, "outside strings and comments only ASCII is allowed");
     }
 

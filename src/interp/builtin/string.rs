@@ -7,6 +7,7 @@ use crate::interp::stream::TokenKind;
 use crate::interp::value::Value;
 use crate::interp::{Charset, Fault, Result, Vm, Word};
 use crate::source::Span;
+use crate::syntax::Punct;
 use std::rc::Rc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -64,7 +65,14 @@ impl Vm<'_> {
                     Value::Text(text) => Some(Rc::clone(text)),
                     _ => None,
                 })?;
-                text.ok_or_else(|| self.expected("a string"))
+                match text {
+                    Some(text) => Ok(text),
+                    None if self.at_number()? => {
+                        let fault = self.expected("a string");
+                        Err(fault.help("`str` makes a string of a number: `str(X, 0, 3)`"))
+                    }
+                    None => Err(self.expected("a string")),
+                }
             }
         }
     }
@@ -115,7 +123,11 @@ impl Vm<'_> {
         unescape(&inner).map(Rc::from).map_err(|(at, message)| {
             let start = span.start + 1 + at as u32;
             let place = if plain { Span { start, end: start + 2, ..span } } else { span };
-            self.error(place, message).help("write `\\\\` for a backslash")
+            let help = match message.contains("hexadecimal") {
+                true => "such as `\\u0041`",
+                false => "write `\\\\` for a backslash",
+            };
+            self.error(place, message).help(help)
         })
     }
 }
@@ -169,7 +181,7 @@ fn call(vm: &mut Vm, word: Word, span: Span) -> Result<Rc<str>> {
             let mut text = vm.read_string()?.to_string();
             loop {
                 vm.comma()?;
-                if !vm.at_string()? {
+                if vm.peek()?.kind == TokenKind::Punct(Punct::CloseParen) {
                     return Ok(text);
                 }
                 text.push_str(&vm.read_string()?);

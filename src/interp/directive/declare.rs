@@ -30,6 +30,7 @@ impl Vm<'_> {
     /// that its uses are no further errors.
     pub(in crate::interp) fn declare(&mut self, local: bool) -> Result<()> {
         let depth = self.depth;
+        let blocks = self.blocks.len();
         let note = match self.read_deprecation() {
             Ok(note) => note,
             Err(fault) => return self.give_up(fault, depth),
@@ -60,7 +61,7 @@ impl Vm<'_> {
             });
             self.scopes.deprecate(target.symbol, Deprecation { message, once: note.once });
         }
-        self.end_declaration(ends)
+        self.end_declaration(ends, blocks)
     }
 
     /// Ends a directive that has an error: what belongs to it is skipped.
@@ -190,8 +191,8 @@ impl Vm<'_> {
         }
     }
 
-    /// The `;` after a declaration.
-    fn end_declaration(&mut self, needed: bool) -> Result<()> {
+    /// The `;` after a declaration, before which `blocks` directives were open.
+    fn end_declaration(&mut self, needed: bool, blocks: usize) -> Result<()> {
         let mut found = false;
         for _ in 0..if needed { 2 } else { 1 } {
             if self.peek_raw().kind == TokenKind::Punct(Punct::Semicolon) {
@@ -213,16 +214,17 @@ impl Vm<'_> {
             self.error(self.last.after(), format!("this declaration needs a `;` at its end, found {found}"));
         let fault = fault.label("a `;` is missing here");
         let fault = match token.kind {
-            TokenKind::Punct(Punct::Hash) => fault.help(
-                "add a `;`; in the value of a declaration directives can only stand inside parentheses",
-            ),
+            TokenKind::Punct(Punct::Hash) if self.blocks.len() > blocks => {
+                fault.help("in the value of a declaration directives can only stand inside parentheses")
+            }
             TokenKind::Punct(
                 Punct::Less | Punct::Greater | Punct::Equal | Punct::Question | Punct::And | Punct::Or,
             ) => fault.help("put a comparison or `?` in parentheses: `#declare A = (1 < 2);`"),
             _ => fault.help(help),
         };
         self.settle(fault);
-        if !matches!(token.kind, TokenKind::Punct(Punct::Hash)) {
+        while self.blocks.len() > blocks && self.skip_token().is_some() {}
+        if self.peek_raw().kind != TokenKind::Punct(Punct::Hash) {
             self.skip_declaration(self.depth);
         }
         Ok(())
@@ -271,7 +273,7 @@ impl Vm<'_> {
                     }
                 }
             }
-            TokenKind::End => Err(self.expected("a value")),
+            TokenKind::Bad | TokenKind::End => Err(self.expected("a value")),
         }
     }
 

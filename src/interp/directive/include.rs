@@ -12,14 +12,18 @@ impl Vm<'_> {
     pub(in crate::interp) fn include(&mut self, span: Span) -> Result<()> {
         let start = self.peek()?.span;
         let name = self.read_file_name()?;
-        let place = start.to(self.last);
-        let file = match self.sources.include(&name) {
+        self.include_file(&name, span, start.to(self.last))
+    }
+
+    /// Goes on in a file; `span` is the directive, `place` the name in it.
+    pub(in crate::interp) fn include_file(&mut self, name: &str, span: Span, place: Span) -> Result<()> {
+        let file = match self.sources.include(name) {
             Ok(file) => file,
             Err(missing) => {
                 // What the file would have declared is missing from here on: reading further
                 // would only report that.
                 self.stopped = true;
-                return Err(self.missing_file(&name, place, missing));
+                return Err(self.missing_file(name, place, missing));
             }
         };
         let tree = self.tree(file);

@@ -35,11 +35,10 @@ impl Vm<'_> {
         if self.at_string()? {
             return self.read_string();
         }
-        let fault = self.expected(&format!("a string after `#{}`", directive.text()));
-        Err(match self.at_number()? {
-            true => fault.help("`str` makes a string of a number: `str(X, 0, 3)`"),
-            false => fault,
-        })
+        if self.at_number()? {
+            return self.read_string();
+        }
+        Err(self.expected(&format!("a string after `#{}`", directive.text())))
     }
 }
 

@@ -1,7 +1,6 @@
 //! `#while` and `#for`, docs/spec/language.md 2.5. The body is read in place, turn after turn.
 
 use super::BlockKind;
-use crate::interp::limits::MOST_TURNS;
 use crate::interp::scope::Place;
 use crate::interp::stream::TokenKind;
 use crate::interp::tuple::truth;
@@ -151,10 +150,10 @@ impl Vm<'_> {
     /// Counts a turn of a loop or a call of a macro.
     pub(in crate::interp) fn turn(&mut self, span: Span) -> Result<()> {
         self.turns += 1;
-        if self.turns > MOST_TURNS {
-            let message = format!("still not done after {} turns of loops", MOST_TURNS);
+        if self.turns > self.options.max_turns {
+            let message = format!("still not done after {} turns of loops", self.options.max_turns);
             let fault = self.fatal(span, message).label("the loop that was running");
-            return Err(fault.help("does its condition ever become false? `--max-turns` allows more"));
+            return Err(fault.help("does its condition ever become false?"));
         }
         if self.stopped {
             return Err(Fault::reported());
