@@ -1,13 +1,18 @@
 //! From the description of a scene to the compiled world.
 
 pub mod camera;
+mod csg;
+mod extent;
+pub mod flatten;
 pub mod function;
 pub mod image;
 pub mod interior;
 pub mod light;
 pub mod normal;
+mod object;
 pub mod pattern;
 pub mod pigment;
+pub mod probe;
 pub mod shape;
 mod tape;
 pub mod texture;
@@ -56,3 +61,6 @@ impl fmt::Display for Unsupported {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -19,7 +19,7 @@ use crate::world::shape::triangle::Triangle;
 use crate::world::shape::{Primitive, Shape};
 
 /// A primitive and where it is in the shape's space.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Compiled {
     /// The primitive in its own space.
     pub primitive: Primitive,
@@ -34,11 +34,11 @@ impl Compiled {
 
     /// A shape of a rare kind, or nothing where its parameters make none.
     fn rare<S: Shape + 'static>(shape: Option<S>) -> Self {
-        shape.map_or_else(Self::nothing, |shape| Primitive::Other(Box::new(shape)).into())
+        shape.map_or_else(Self::nothing, |shape| Primitive::Other(Arc::new(shape)).into())
     }
 
     fn nothing() -> Self {
-        Primitive::Other(Box::new(Empty)).into()
+        Primitive::Other(Arc::new(Empty)).into()
     }
 }
 
@@ -146,7 +146,7 @@ fn triangles(mesh: &Arc<scene::Mesh>) -> Compiled {
         },
     });
     Mesh::new(lists, faces.collect(), mesh.inside_vector)
-        .map_or_else(Compiled::nothing, |mesh| Primitive::Mesh(Box::new(mesh)).into())
+        .map_or_else(Compiled::nothing, |mesh| Primitive::Mesh(Arc::new(mesh)).into())
 }
 
 #[cfg(test)]

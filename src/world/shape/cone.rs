@@ -1,6 +1,6 @@
 //! `cone { base, base_radius, cap, cap_radius [open] }` (docs/spec/primitives.md 3.5).
 
-use super::cylinder::{BASE, BORDER, CAP, SIDE, between_ends, keep_side};
+use super::cylinder::{BASE, CAP, SIDE, between_ends, border, keep_side};
 use super::stretch::Stretch;
 use super::{Crossing, Shape};
 use crate::math::roots::{self, difference_of_products};
@@ -93,7 +93,7 @@ impl Shape for Cone {
     }
 
     fn inside(&self, point: DVec3) -> bool {
-        let border = if self.open { BORDER } else { -BORDER };
+        let border = border(self.open);
         let radius = self.radius(point.z);
         point.truncate().length_squared() <= radius * radius + border
             && -border <= point.z

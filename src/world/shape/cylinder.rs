@@ -19,9 +19,20 @@ pub(super) const CAP: u32 = 1;
 /// Part number of the disc at z = 0.
 pub(super) const BASE: u32 = 2;
 
-/// How far POV-Ray shrinks a closed cylinder and swells an open one to decide what is inside, in
-/// units of its radius (squared) and length: the surface of a closed one is outside.
-pub(super) const BORDER: f64 = 1e-10;
+/// How far an open cylinder swells to decide what is inside, in units of its radius (squared) and
+/// length: its surface is inside.
+const SWOLLEN: f64 = 1e-10;
+
+/// How far a closed one shrinks: its surface is outside. A few roundings only, for POV-Ray's 1e-10
+/// would make a gap between flush solids.
+const SHRUNK: f64 = 16.0 * f64::EPSILON;
+
+/// What the border of an open or closed one adds to its radius (squared) and length.
+pub(super) fn border(open: bool) -> f64 {
+    if open { SWOLLEN } else { -SHRUNK }
+}
+/// POV-Ray's 1e-10 would make two insides of thin gaps.
+pub(super) const BORDER: f64 = 16.0 * f64::EPSILON;
 
 /// Between the planes of the ends.
 pub(super) fn between_ends(ray: &Ray) -> Option<Stretch> {
@@ -71,7 +82,7 @@ impl Shape for Cylinder {
     }
 
     fn inside(&self, point: DVec3) -> bool {
-        let border = if self.open { BORDER } else { -BORDER };
+        let border = border(self.open);
         point.truncate().length_squared() <= 1.0 + border && -border <= point.z && point.z <= 1.0 + border
     }
 

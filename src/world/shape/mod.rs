@@ -73,6 +73,12 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     /// (docs/spec/primitives.md, "inside" of each shape). Surfaces without an inside say `false`.
     fn inside(&self, point: DVec3) -> bool;
 
+    /// Whether `point` is inside the inverted shape: the complement, but for shapes of which
+    /// neither side has the border.
+    fn outside(&self, point: DVec3) -> bool {
+        !self.inside(point)
+    }
+
     /// Whether the shape has an inside at all.
     fn is_solid(&self) -> bool {
         true

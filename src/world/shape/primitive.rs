@@ -1,6 +1,8 @@
 //! Any primitive, called without a virtual call where it is of a common kind.
 
 use super::r#box::Cuboid;
+use std::sync::Arc;
+
 use super::cone::Cone;
 use super::cylinder::Cylinder;
 use super::disc::Disc;
@@ -13,8 +15,8 @@ use super::{Crossing, Shape};
 use crate::math::{Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
-/// A primitive in its own space.
-#[derive(Debug)]
+/// A primitive in its own space; copies share what is big.
+#[derive(Clone, Debug)]
 #[expect(missing_docs, reason = "the variants are named after what they hold")]
 pub enum Primitive {
     Sphere(Sphere),
@@ -25,9 +27,9 @@ pub enum Primitive {
     Cone(Cone),
     Torus(Torus),
     Triangle(Triangle),
-    Mesh(Box<Mesh>),
+    Mesh(Arc<Mesh>),
     /// The rare kinds.
-    Other(Box<dyn Shape>),
+    Other(Arc<dyn Shape>),
 }
 
 macro_rules! each {
@@ -70,6 +72,10 @@ impl Shape for Primitive {
 
     fn inside(&self, point: DVec3) -> bool {
         each!(self, shape => shape.inside(point))
+    }
+
+    fn outside(&self, point: DVec3) -> bool {
+        each!(self, shape => shape.outside(point))
     }
 
     fn is_solid(&self) -> bool {

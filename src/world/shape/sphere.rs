@@ -53,6 +53,10 @@ impl Shape for Sphere {
         (point - self.center).length_squared() < self.radius * self.radius
     }
 
+    fn outside(&self, point: DVec3) -> bool {
+        (point - self.center).length_squared() > self.radius * self.radius
+    }
+
     fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
         (point - self.center) / self.radius
     }

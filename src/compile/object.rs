@@ -1,0 +1,226 @@
+//! Objects: what they inherit, and leaves made of their primitives.
+
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+
+use super::Unsupported;
+use super::extent::half_space;
+use super::flatten::{Flattener, Inherited};
+use super::shape::{self, Compiled};
+use crate::math::{Bounds, DVec3};
+use crate::scene::object::ObjectFlags;
+use crate::scene::texture::{LegacyFinish, TextureBody};
+use crate::scene::{Object, Shape, Texture};
+use crate::world::extent::Extent;
+use crate::world::object::LeafFlags;
+use crate::world::shape::Shape as _;
+use crate::world::{Leaf, Member, RayKind};
+
+/// Compounds nested deeper than this, after flattening, are refused: rays recurse into them.
+const MOST_NESTED: u32 = 200;
+
+/// Big primitives that several objects share, by the identity of their description.
+pub(super) type ShapeCache = FxHashMap<*const (), Compiled>;
+
+impl Flattener {
+    /// What an object has, of its own or inherited.
+    pub(super) fn own(&mut self, object: &Object, around: &Inherited) -> Inherited {
+        let flags = object.flags;
+        let written =
+            |set, flag, inherited| if flags.contains(set) { flags.contains(flag) } else { inherited };
+        let inherits_uv = object.texture.is_none() && around.uv_mapping;
+        let mut own = Inherited {
+            hollow: written(ObjectFlags::HOLLOW_SET, ObjectFlags::HOLLOW, around.hollow),
+            double_illuminate: written(
+                ObjectFlags::DOUBLE_ILLUMINATE_SET,
+                ObjectFlags::DOUBLE_ILLUMINATE,
+                around.double_illuminate,
+            ),
+            uv_mapping: flags.contains(ObjectFlags::UV_MAPPING) || inherits_uv,
+            hidden: around.hidden | (hidden(flags) & around.heeded),
+            inverted: around.inverted != flags.contains(ObjectFlags::INVERSE),
+            cutaway: around.cutaway || flags.contains(ObjectFlags::CUTAWAY_TEXTURES),
+            ..around.clone()
+        };
+        // Textures at <u,v,0> stay where they are.
+        let outer = if own.uv_mapping { None } else { own.outer.clone() };
+        if let Some(texture) = &object.texture {
+            own.texture = Some(self.texture(texture, outer.clone(), object.span));
+        }
+        let extra = object.extra.as_deref();
+        if let Some(texture) = extra.and_then(|extra| extra.interior_texture.as_ref()) {
+            own.interior_texture = Some(self.texture(texture, outer, object.span));
+        }
+        let says_more = object.texture.as_ref().is_some_and(|texture| legacy(texture).is_some());
+        let hollows = own.interior.is_some_and(|i| self.flat.interiors[i as usize].hollow != own.hollow);
+        if object.interior().is_some() || says_more || hollows {
+            let inherited = own.interior.and_then(|i| self.flat.interiors[i as usize].interior.clone());
+            own.interior = Some(self.interior(object.interior().or(inherited.as_ref()), &own));
+        }
+        own
+    }
+
+    /// What an object hands down to the objects in it.
+    pub(super) fn within(&mut self, object: &Object, around: &Inherited) -> Inherited {
+        self.own(object, around).hand_down(object)
+    }
+
+    /// Adds an object and all its parts; `None` where it has no geometry or can't be compiled.
+    pub(super) fn member(&mut self, object: &Object, around: &Inherited) -> Option<Member> {
+        if around.depth > MOST_NESTED {
+            let limit = format!("objects nested more than {MOST_NESTED} deep");
+            self.flat.unsupported.push(Unsupported::new(object.span, limit));
+            return None;
+        }
+        let own = self.own(object, around);
+        self.placed(object, &own)
+    }
+
+    /// Adds an object of which it is known what it has.
+    pub(super) fn placed(&mut self, object: &Object, own: &Inherited) -> Option<Member> {
+        match &object.shape {
+            Shape::Csg(csg) => self.compound(csg, object, own),
+            Shape::Light(light) => self.light(light, object, own),
+            Shape::LightGroup(_) => {
+                self.flat
+                    .unsupported
+                    .push(Unsupported::new(object.span, "`light_group` inside a CSG object"));
+                None
+            }
+            primitive => self.leaf(primitive, object, own),
+        }
+    }
+
+    fn leaf(&mut self, primitive: &Shape, object: &Object, own: &Inherited) -> Option<Member> {
+        let compiled = match self.primitive(primitive, object) {
+            Ok(compiled) => compiled,
+            Err(unsupported) => {
+                self.flat.unsupported.push(unsupported);
+                return None;
+            }
+        };
+        let transform = match (compiled.transform, own.inner(object)) {
+            (Some(first), Some(then)) => Some(Box::new(first.then(&then))),
+            (Some(only), None) => Some(Box::new(only)),
+            (None, only) => only.map(|only| Box::new(*only)),
+        };
+        let own_textures = self.flat.textures.len() as u32;
+        for texture in own_list(primitive) {
+            let outer = if own.uv_mapping { None } else { own.inner(object) };
+            self.texture(texture, outer, object.span);
+        }
+        let texture = own.texture.or_else(|| {
+            let from_cut_solids = own.cutaway && own.cut;
+            (!from_cut_solids).then(|| self.default_texture())
+        });
+        let solid = compiled.primitive.is_solid();
+        let inverted = solid && own.inverted;
+        let mut flags = LeafFlags::empty();
+        flags.set(LeafFlags::SOLID, solid);
+        flags.set(LeafFlags::INVERTED, inverted);
+        // A quadric is turned inside out twice as far as its normal goes (docs/spec/primitives.md 1.4).
+        flags.set(LeafFlags::REVERSED, inverted && !matches!(primitive, Shape::Quadric(_)));
+        flags.set(LeafFlags::DOUBLE_ILLUMINATE, own.double_illuminate);
+        flags.set(LeafFlags::UV_MAPPING, own.uv_mapping);
+        let bounds = around_rounding(match (primitive, &transform) {
+            (&Shape::Plane { normal, distance }, transform) => {
+                half_space(normal, distance, transform.as_deref(), 0.0)
+            }
+            (_, Some(transform)) => compiled.primitive.bounds().transformed(transform),
+            (_, None) => compiled.primitive.bounds(),
+        });
+        let limits = self.limits(object, own);
+        let extent = self.clipped(Extent { bounds, beyond: inverted }, limits.as_deref());
+        self.flat.spans.push(object.span);
+        self.flat.parts.leaves.push(Leaf {
+            primitive: compiled.primitive,
+            transform,
+            extent,
+            limits,
+            parent: None,
+            flags,
+            hidden: own.hidden,
+            texture,
+            interior_texture: own.interior_texture,
+            own_textures,
+            interior: own.interior.unwrap_or(0),
+            lights: own.lights,
+            origin: self.flat.spans.len() as u32 - 1,
+        });
+        Some(Member::Leaf(self.flat.parts.leaves.len() as u32 - 1))
+    }
+
+    /// The primitive of an object in its own space.
+    pub(super) fn primitive(&mut self, primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> {
+        let Some(identity) = identity(primitive) else {
+            return compile(primitive, object);
+        };
+        if let Some(compiled) = self.shapes.get(&identity) {
+            return Ok(compiled.clone());
+        }
+        let compiled = compile(primitive, object)?;
+        self.shapes.insert(identity, compiled.clone());
+        Ok(compiled)
+    }
+}
+
+fn compile(primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> {
+    shape::shape(primitive).map_err(|keyword| Unsupported::new(object.span, format!("`{keyword}`")))
+}
+
+/// Where the description of a big primitive is, which its copies share.
+fn identity(primitive: &Shape) -> Option<*const ()> {
+    Some(match primitive {
+        Shape::Mesh(mesh) => Arc::as_ptr(mesh).cast(),
+        Shape::HeightField(field) => Arc::as_ptr(field).cast(),
+        Shape::Text(text) => Arc::as_ptr(text).cast(),
+        Shape::BicubicPatch(patch) => Arc::as_ptr(patch).cast(),
+        Shape::Blob(blob) => Arc::as_ptr(blob).cast(),
+        _ => return None,
+    })
+}
+
+/// The textures that parts of a primitive refer to by number.
+fn own_list(primitive: &Shape) -> Vec<&Texture> {
+    match primitive {
+        Shape::Mesh(mesh) => mesh.textures.iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The kinds of rays an object is hidden from.
+fn hidden(flags: ObjectFlags) -> RayKind {
+    let mut hidden = RayKind::empty();
+    hidden.set(RayKind::IMAGE, flags.contains(ObjectFlags::NO_IMAGE));
+    hidden.set(RayKind::REFLECTION, flags.contains(ObjectFlags::NO_REFLECTION));
+    hidden.set(RayKind::SHADOW, flags.contains(ObjectFlags::NO_SHADOW));
+    hidden.set(RayKind::RADIOSITY, flags.contains(ObjectFlags::NO_RADIOSITY));
+    hidden
+}
+
+/// What the finish of a plain texture says about the interior, as old scenes do.
+pub(super) fn legacy(texture: &Texture) -> Option<&LegacyFinish> {
+    let TextureBody::Layered(layers) = &*texture.body else {
+        return None;
+    };
+    layers.iter().rev().map(|layer| &layer.finish.legacy).find(|&legacy| *legacy != LegacyFinish::default())
+}
+
+/// A slightly larger box, so that points rounded onto the surface are never outside of it.
+fn around_rounding(bounds: Bounds) -> Bounds {
+    let margin = |corner: DVec3, other: DVec3| {
+        let finite = |x: f64| if x.is_finite() { x.abs() } else { 0.0 };
+        let size = DVec3::new(
+            finite(corner.x).max(finite(other.x)),
+            finite(corner.y).max(finite(other.y)),
+            finite(corner.z).max(finite(other.z)),
+        );
+        size * (16.0 * f64::EPSILON)
+    };
+    if bounds.is_empty() {
+        return bounds;
+    }
+    let margin = margin(bounds.min, bounds.max);
+    Bounds { min: bounds.min - margin, max: bounds.max + margin }
+}

@@ -1,0 +1,59 @@
+//! Single objects for the language's `trace`, `inside`, `min_extent` and `max_extent`.
+
+use std::sync::Arc;
+
+use super::Unsupported;
+use super::flatten::Flattener;
+use crate::math::{Bounds, DVec3};
+use crate::options::Accelerator;
+use crate::scene::Object;
+use crate::world::{Geometry, Range, Ray, RayKind};
+
+/// An object that can be asked about its geometry, in the space it is written in.
+#[derive(Debug)]
+pub struct Probe {
+    geometry: Geometry,
+    extent: Bounds,
+}
+
+/// Nearer surfaces are not traced (docs/spec/primitives.md 1.2).
+const NEAREST: f64 = 1e-4;
+
+impl Probe {
+    /// Compiles the geometry of an object, and nothing else of it.
+    ///
+    /// # Errors
+    /// The parts that povista can't compile yet.
+    pub fn new(object: &Arc<Object>) -> Result<Self, Vec<Unsupported>> {
+        let mut flattener = Flattener::new(Accelerator::Auto, false);
+        flattener.add_whole(object);
+        let extent = flattener.reported_extent(object);
+        let flat = flattener.finish();
+        if flat.unsupported.is_empty() {
+            Ok(Self { geometry: Geometry::new(flat.parts, Accelerator::Auto), extent })
+        } else {
+            Err(flat.unsupported)
+        }
+    }
+
+    /// The nearest surface from `origin` towards `direction`, which need not be unit: the point
+    /// and the unit normal, outward.
+    pub fn trace(&self, origin: DVec3, direction: DVec3) -> Option<(DVec3, DVec3)> {
+        let ray = Ray::new(origin, direction.try_normalize()?);
+        let range = Range { min: NEAREST.next_down(), max: f64::INFINITY };
+        let hit = self.geometry.hit(&ray, range, RayKind::empty())?;
+        let surface = self.geometry.surface(&ray, &hit);
+        let outward = if surface.inside { -surface.normal } else { surface.normal };
+        Some((surface.point, outward))
+    }
+
+    /// Whether `point` is inside.
+    pub fn inside(&self, point: DVec3) -> bool {
+        !self.geometry.containers(point).is_empty()
+    }
+
+    /// The box that `min_extent` and `max_extent` tell of (docs/spec/primitives.md 8).
+    pub fn bounds(&self) -> Bounds {
+        self.extent
+    }
+}

@@ -1,0 +1,159 @@
+//! The conformance probes of docs/spec/primitives.md 7, observed in POV-Ray.
+
+use super::*;
+use crate::math::Bounds;
+
+const X: DVec3 = DVec3::X;
+const Y: DVec3 = DVec3::Y;
+const Z: DVec3 = DVec3::Z;
+
+fn unit_box() -> Arc<Object> {
+    cube(v(-1., -1., -1.), v(1., 1., 1.))
+}
+
+fn d1() -> Arc<Object> {
+    difference([unit_box(), sphere(-Z, 0.5)])
+}
+
+fn du() -> Arc<Object> {
+    difference([unit_box(), union([sphere(v(-0.5, 0., -1.), 0.4), sphere(v(0.5, 0., -1.), 0.4)])])
+}
+
+fn di() -> Arc<Object> {
+    let rod = cube(v(-0.2, -0.2, -2.), v(0.2, 0.2, 0.));
+    difference([unit_box(), intersection([sphere(-Z, 0.5), rod])])
+}
+
+fn ui() -> Arc<Object> {
+    inverse(union([sphere(-X, 0.7), sphere(X, 0.7)]))
+}
+
+fn mc() -> Arc<Object> {
+    merge([sphere(-0.4 * X, 0.7), sphere(0.4 * X, 0.7)])
+}
+
+fn cl() -> Arc<Object> {
+    clipped(sphere(DVec3::ZERO, 1.), [plane(Y, 0.5), cube(v(-0.6, -2., -2.), v(2., 2., 2.))])
+}
+
+#[test]
+fn rays_hit_compounds_where_povray_says() {
+    let dq = difference([unit_box(), quadric(DVec3::ONE, 2. * Z, 0.75)]);
+    let dp = difference([sphere(DVec3::ZERO, 1.), plane(Z, -0.5)]);
+    let dc = difference([unit_box(), cylinder(-2. * Z, -0.5 * Z, 0.3)]);
+    #[rustfmt::skip]
+    let hits = [
+        ("D1", d1(), v(0., 0.1, -5.), Z, v(0., 0.1, -0.510102051443366), v(0., -0.2, -0.979795897113268)),
+        ("D1", d1(), v(0., 0.8, -5.), Z, v(0., 0.8, -1.), -Z),
+        ("DQ", dq, v(0., 0.1, -5.), Z, v(0., 0.1, -0.510102051443364), v(0., 0.2, 0.979795897113271)),
+        ("DP", dp, v(0., 0.1, -5.), Z, v(0., 0.1, -0.5), -Z),
+        ("DC", dc.clone(), v(0., 0.1, -5.), Z, v(0., 0.1, -0.5), -Z),
+        ("DC", dc, v(0., 0., -0.7), Y, v(0., 0.3, -0.7), -Y),
+        ("DU", du(), v(0.5, 0.1, -5.), Z, v(0.5, 0.1, -0.612701665379261), v(0., -0.25, -0.968245836551849)),
+        ("DI", di(), v(0.1, 0., -5.), Z, v(0.1, 0., -0.510102051443366), v(-0.2, 0., -0.979795897113268)),
+        ("UI", ui(), v(-1., 0., -3.), Z, v(-1., 0., -0.7), Z),
+        ("MC", mc(), v(0.1, 0., 0.), X, v(1.1, 0., 0.), X),
+        ("MC", mc(), v(-5., 0.1, 0.), X, v(-1.092820323027549, 0.1, 0.), v(-0.989743318610785, 0.142857142857143, 0.)),
+        ("CL", cl(), v(0., 0.3, -5.), Z, v(0., 0.3, -0.953939201416945), v(0., 0.3, -0.953939201416945)),
+        ("CL", cl(), v(0., 5., 0.), -Y, -Y, -Y),
+    ];
+    for (name, object, from, direction, point, normal) in hits {
+        let (p, n) = probe(&object).trace(from, direction).unwrap_or_else(|| panic!("{name} is missed"));
+        assert!(p.abs_diff_eq(point, 2e-14) && n.abs_diff_eq(normal, 1e-13), "{name}: {p} {n}");
+    }
+    assert_eq!(probe(&cl()).trace(v(0., 0.7, -5.), Z), None);
+}
+
+#[test]
+fn points_are_inside_compounds_where_povray_says() {
+    let eq = intersection([cylinder(-Z, Z, 1.), cylinder(-Z, Z, 1.)]);
+    for (name, object, point, inside) in [
+        ("D1", d1(), v(0., 0., -0.6), false),
+        ("D1", d1(), v(0., 0., -0.4), true),
+        ("D1", d1(), v(0., 0., -0.5), false),
+        ("DU", du(), v(0.5, 0., -0.9), false),
+        ("DI", di(), v(0.1, 0., -0.9), false),
+        ("UI", ui(), v(-1., 0., 0.), false),
+        ("UI", ui(), v(0., 0., 0.), true),
+        ("EQ", eq, v(0., 0., 0.), true),
+        ("MC", mc(), v(0., 0., 0.), true),
+        ("CL", cl(), v(0., 0.7, 0.), false),
+        ("CL", cl(), v(0., 0.3, 0.), true),
+    ] {
+        assert_eq!(probe(&object).inside(point), inside, "{name} at {point}");
+    }
+}
+
+#[test]
+fn extents_are_those_povray_reports() {
+    let dp = difference([sphere(DVec3::ZERO, 1.), plane(Z, -0.5)]);
+    let turned = moved(plane(X, 0.5), Transform::rotate(90. * Z));
+    let slabs = [(X, 1.), (-X, 2.), (Y, 3.), (-Y, 4.), (Z, 5.), (-Z, 6.)];
+    let far = DVec3::splat(1e10);
+    for (name, object, min, max) in [
+        ("D1", d1(), -DVec3::ONE, DVec3::ONE),
+        ("DP", dp, v(-1., -1., -1.), v(1., 1., 1.)),
+        ("CL", cl(), -DVec3::ONE, DVec3::ONE),
+        ("PTR", intersection([sphere(DVec3::ZERO, 2.), turned]), v(-2., -2., -2.), v(2., 0.5, 2.)),
+        ("PL", intersection(slabs.map(|(n, d)| plane(n, d))), v(-2., -4., -6.), v(1., 3., 5.)),
+        ("EM", intersection([sphere(DVec3::ZERO, 1.), sphere(5. * X, 1.)]), -far, far),
+    ] {
+        assert_eq!(probe(&object).bounds(), Bounds { min, max }, "{name}");
+    }
+}
+
+#[test]
+fn surfaces_without_inside_take_part_but_contain_nothing() {
+    let front = triangle([v(-2., -2., -0.5), v(2., -2., -0.5), v(0., 3., -0.5)]);
+    let outside = moved(front.clone(), Transform::translate(-2. * Z));
+    let small = cube(DVec3::splat(-0.3), DVec3::splat(0.3));
+    for (name, object, z) in [
+        ("difference of box and triangle", difference([unit_box(), front.clone()]), -0.5),
+        ("difference of triangle and box", difference([front.clone(), small]), -0.5),
+        ("intersection of box and triangle", intersection([unit_box(), front.clone()]), -0.5),
+        ("intersection with an inverted triangle", intersection([unit_box(), inverse(front.clone())]), -0.5),
+        ("merge with a triangle inside", merge([front, unit_box()]), -1.),
+        ("merge with a triangle outside", merge([outside, unit_box()]), -2.5),
+    ] {
+        let (point, _) = probe(&object).trace(-5. * Z, Z).unwrap();
+        assert!((point.z - z).abs() < 1e-15, "{name}: {point}");
+    }
+}
+
+#[test]
+fn a_union_inside_an_intersection_keeps_its_inner_faces() {
+    let object = intersection([
+        union([sphere(DVec3::ZERO, 1.), sphere(0.5 * Z, 1.)]),
+        cube(v(-1., -1., -0.7), v(1., 1., 2.)),
+    ]);
+    // From the gap between the first front and the second: the second sphere's front is inside the first.
+    assert_eq!(probe(&object).trace(v(0., 0., -0.6), Z).unwrap().0.z, -0.5);
+}
+
+#[test]
+fn clips_of_compounds_cut_the_whole() {
+    let pair = union([sphere(-X, 0.5), sphere(X, 0.5)]);
+    let half = probe(&clipped(pair, [plane(X, 0.)]));
+    assert!(half.trace(v(-1., 0., -5.), Z).is_some() && half.inside(-X));
+    assert!(half.trace(v(1., 0., -5.), Z).is_none() && !half.inside(X));
+}
+
+#[test]
+fn transforms_of_compounds_reach_members_and_clips() {
+    let by = Transform::rotate(v(10., 20., 30.))
+        .then(&Transform::scale(v(2., 0.5, 3.)))
+        .then(&Transform::translate(v(4., 5., 6.)));
+    for original in [d1(), du(), di(), mc(), cl()] {
+        let (plain, placed) = (probe(&original), probe(&moved(original.clone(), by)));
+        let mut numbers = Numbers(3);
+        for _ in 0..200 {
+            let (origin, direction) = (3. * numbers.vector(), numbers.vector());
+            let direction = direction - origin;
+            let (there, along) = (by.point(origin), by.vector(direction));
+            match (plain.trace(origin, direction), placed.trace(there, along)) {
+                (Some((p, _)), Some((q, _))) => assert!(by.point(p).abs_diff_eq(q, 1e-11), "{p} {q}"),
+                (a, b) => assert_eq!(a.is_some(), b.is_some(), "from {origin} to {direction}"),
+            }
+        }
+    }
+}

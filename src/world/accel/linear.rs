@@ -1,0 +1,72 @@
+//! Every box in turn: the fastest way for a handful, and the yardstick for the others.
+
+use crate::math::{Bounds, DVec3};
+use crate::world::ray::{Range, Ray};
+
+/// A list of boxes.
+#[derive(Debug, Default)]
+pub struct Linear {
+    items: Vec<(Bounds, u32)>,
+}
+
+impl Linear {
+    /// Takes the items in any order; boxes may be unbounded.
+    pub fn new(items: Vec<(Bounds, u32)>) -> Self {
+        Self { items }
+    }
+
+    /// See [`Accel::along`](super::Accel::along).
+    pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> f64) {
+        let slabs = Slabs::new(ray);
+        let mut range = range;
+        for (bounds, item) in &self.items {
+            if slabs.meet(bounds, range) {
+                range.max = visit(*item);
+            }
+        }
+    }
+
+    /// See [`Accel::any_around`](super::Accel::any_around).
+    pub fn any_around(&self, point: DVec3, mut test: impl FnMut(u32) -> bool) -> bool {
+        self.items.iter().any(|(bounds, item)| bounds.contains(point) && test(*item))
+    }
+}
+
+/// A ray prepared for being tested against boxes.
+#[derive(Clone, Copy, Debug)]
+pub struct Slabs {
+    origin: DVec3,
+    inverse: DVec3,
+}
+
+/// A slab's distance is off by at most three roundings.
+const SLACK: f64 = 4.0 * f64::EPSILON;
+
+impl Slabs {
+    /// Prepares a ray.
+    pub fn new(ray: &Ray) -> Self {
+        Self { origin: ray.origin, inverse: ray.direction.recip() }
+    }
+
+    /// Whether the box and the part of the ray in `range` share a point, or nearly so.
+    pub fn meet(&self, bounds: &Bounds, range: Range) -> bool {
+        let (near, far) = self.overlap(bounds);
+        let (near, far) = (near.max(range.min), far.min(range.max));
+        near - near.abs() * SLACK <= far + far.abs() * SLACK
+    }
+
+    /// Where the ray enters the box; behind its origin if it starts inside. Only for boxes it meets.
+    pub fn entry(&self, bounds: &Bounds) -> f64 {
+        self.overlap(bounds).0
+    }
+
+    fn overlap(&self, bounds: &Bounds) -> (f64, f64) {
+        let low = (bounds.min - self.origin) * self.inverse;
+        let high = (bounds.max - self.origin) * self.inverse;
+        // 0 * infinity: the ray lies in the plane of a face and never leaves the slab.
+        let along = low.is_nan_mask() | high.is_nan_mask();
+        let near = DVec3::select(along, DVec3::NEG_INFINITY, low.min(high));
+        let far = DVec3::select(along, DVec3::INFINITY, low.max(high));
+        (near.max_element(), far.min_element())
+    }
+}

@@ -1,0 +1,60 @@
+//! What finds the boxes near a ray or around a point: every kind gives the same answers.
+//!
+//! An item is a number of the caller's. Tests are conservative: an item may be named although its
+//! box is missed by a hair, but none whose box is met is ever left out.
+
+mod build;
+mod bvh;
+mod linear;
+#[cfg(test)]
+mod tests;
+
+pub use bvh::Bvh;
+pub use linear::{Linear, Slabs};
+
+use super::ray::{Range, Ray};
+use crate::math::{Bounds, DVec3};
+use crate::options::Accelerator;
+
+/// Up to this many items are simply gone through.
+const FEW: usize = 6;
+
+/// A set of boxes with numbers.
+#[derive(Debug)]
+pub enum Accel {
+    /// Asks one after the other.
+    Linear(Linear),
+    /// A tree of boxes.
+    Bvh(Bvh),
+}
+
+impl Accel {
+    /// Takes items with their boxes. Unbounded boxes are only allowed in [`Linear`] sets: keep
+    /// them apart where they are few among many.
+    pub fn new(items: Vec<(Bounds, u32)>, kind: Accelerator) -> Self {
+        let bounded = items.iter().all(|(bounds, _)| bounds.is_finite());
+        let tree = match kind {
+            Accelerator::Linear => false,
+            Accelerator::Auto => items.len() > FEW,
+            Accelerator::Octree | Accelerator::Bvh => !items.is_empty(),
+        };
+        if tree && bounded { Self::Bvh(Bvh::new(items)) } else { Self::Linear(Linear::new(items)) }
+    }
+
+    /// Calls `visit` with the items whose boxes meet the ray in `range`, roughly the nearest first.
+    /// It answers with the new far end of the range; negative infinity ends the search.
+    pub fn along(&self, ray: &Ray, range: Range, visit: impl FnMut(u32) -> f64) {
+        match self {
+            Self::Linear(linear) => linear.along(ray, range, visit),
+            Self::Bvh(bvh) => bvh.along(ray, range, visit),
+        }
+    }
+
+    /// Whether `test` holds for any of the items whose boxes contain `point`.
+    pub fn any_around(&self, point: DVec3, test: impl FnMut(u32) -> bool) -> bool {
+        match self {
+            Self::Linear(linear) => linear.any_around(point, test),
+            Self::Bvh(bvh) => bvh.any_around(point, test),
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! Questions to the geometry of a world: what does a ray meet, what is in the way of light, what
+//! is a point inside of.
+
+use smallvec::SmallVec;
+
+use super::accel::Accel;
+use super::object::{LeafFlags, Member, RayKind};
+use super::parts::{Object, Parts};
+use super::ray::{Range, Ray};
+use super::scratch::{Found, Scratch};
+use super::shape::{Crossing, Shape};
+use crate::math::DVec3;
+use crate::options::Accelerator;
+
+/// Where a ray meets a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Distance along the ray.
+    pub t: f64,
+    /// The shape's own account of it.
+    pub crossing: Crossing,
+    /// Number of the leaf.
+    pub leaf: u32,
+    /// Number of the object the leaf is part of.
+    pub object: u32,
+}
+
+impl Hit {
+    fn new(found: Found, object: u32) -> Self {
+        Self { t: found.t(), crossing: found.crossing, leaf: found.leaf, object }
+    }
+}
+
+/// The objects of a world, ready to be asked.
+#[derive(Debug)]
+pub struct Geometry {
+    parts: Parts,
+    bounded: Accel,
+    unbounded: Vec<u32>,
+    /// Bounded objects turned inside out: they contain what is outside of their boxes.
+    inverted: Vec<u32>,
+}
+
+impl Geometry {
+    /// Makes the objects of `parts` searchable.
+    pub fn new(parts: Parts, accelerator: Accelerator) -> Self {
+        let mut boxes = Vec::with_capacity(parts.objects.len());
+        let (mut unbounded, mut inverted) = (Vec::new(), Vec::new());
+        for (number, object) in (0..).zip(&parts.objects).filter(|(_, object)| !object.apart) {
+            let extent = parts.extent(object.member);
+            if extent.bounds.is_finite() {
+                boxes.push((extent.bounds, number));
+                inverted.extend(extent.beyond.then_some(number));
+            } else if !extent.bounds.is_empty() {
+                unbounded.push(number);
+            }
+        }
+        Self { bounded: Accel::new(boxes, accelerator), unbounded, inverted, parts }
+    }
+
+    /// The parts by number.
+    pub fn parts(&self) -> &Parts {
+        &self.parts
+    }
+
+    /// The nearest surface in `range` that such rays see. Of several at exactly the same
+    /// distance the object declared first is seen (docs/spec/primitives.md 7.2).
+    pub fn hit(&self, ray: &Ray, range: Range, kind: RayKind) -> Option<Hit> {
+        let mut best: Option<Hit> = None;
+        Scratch::lend(|scratch| {
+            self.objects_along(ray, range, |number, object| {
+                // The end is moved behind the best hit so far, for the sake of ties.
+                let end = best.map_or(range.max, |best| best.t.next_up());
+                let ahead = Range { min: range.min, max: end };
+                if let Some(found) = self.parts.nearest(object.member, ray, ahead, kind, scratch) {
+                    let hit = Hit::new(found, number);
+                    if best.is_none_or(|best| hit.t < best.t || (hit.t == best.t && number < best.object)) {
+                        best = Some(hit);
+                    }
+                }
+                best.map_or(range.max, |best| best.t)
+            });
+        });
+        best
+    }
+
+    /// What stands between a point and a light: whether something opaque does; if not, `through`
+    /// holds the transparent surfaces, the nearest first, coincident ones once.
+    pub fn occluders(&self, ray: &Ray, range: Range, through: &mut Vec<Hit>) -> bool {
+        through.clear();
+        let mut blocked = false;
+        Scratch::lend(|scratch| {
+            self.objects_along(ray, range, |number, object| {
+                blocked = self.occluders_of(object, number, ray, range, scratch, through);
+                if blocked { f64::NEG_INFINITY } else { range.max }
+            });
+        });
+        through.sort_unstable_by(|a, b| {
+            a.t.total_cmp(&b.t).then(a.object.cmp(&b.object)).then(b.leaf.cmp(&a.leaf))
+        });
+        through.dedup_by(|next, kept| next.t - kept.t <= self.parts.slack(ray, kept.leaf, &kept.crossing));
+        blocked
+    }
+
+    fn occluders_of(
+        &self,
+        object: &Object,
+        number: u32,
+        ray: &Ray,
+        range: Range,
+        scratch: &mut Scratch,
+        through: &mut Vec<Hit>,
+    ) -> bool {
+        if let Member::Leaf(leaf) = object.member {
+            let leaf = self.parts.leaf(leaf);
+            if leaf.hidden.intersects(RayKind::SHADOW) {
+                return false;
+            }
+            if object.opaque && leaf.limits.is_none() {
+                return leaf.primitive.occludes(&leaf.inner(ray), range);
+            }
+        }
+        self.parts.surface_along(object.member, ray, range, RayKind::SHADOW, scratch, |found| {
+            let opaque = self.parts.leaf(found.leaf).flags.contains(LeafFlags::OPAQUE);
+            if !opaque {
+                through.push(Hit::new(found, number));
+            }
+            opaque
+        })
+    }
+
+    /// How far a single object is, whoever it is hidden from.
+    pub fn object_distance(&self, object: u32, ray: &Ray, range: Range) -> Option<f64> {
+        let member = self.parts.objects[object as usize].member;
+        Scratch::lend(|scratch| self.parts.nearest(member, ray, range, RayKind::empty(), scratch))
+            .map(|found| found.t())
+    }
+
+    /// The objects that contain `point`, in the order of the text.
+    pub fn containers(&self, point: DVec3) -> SmallVec<[u32; 4]> {
+        let contains = |&number: &u32| self.parts.inside(self.parts.objects[number as usize].member, point);
+        let everywhere = self.unbounded.iter().chain(&self.inverted);
+        let mut containers: SmallVec<[u32; 4]> = everywhere.copied().filter(contains).collect();
+        self.bounded.any_around(point, |number| {
+            if contains(&number) {
+                containers.push(number);
+            }
+            false
+        });
+        containers.sort_unstable();
+        containers.dedup();
+        containers
+    }
+
+    fn objects_along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, &Object) -> f64) {
+        let mut end = range.max;
+        for &number in &self.unbounded {
+            end = visit(number, &self.parts.objects[number as usize]);
+        }
+        self.bounded.along(ray, Range { min: range.min, max: end }, |number| {
+            visit(number, &self.parts.objects[number as usize])
+        });
+    }
+}

@@ -1,0 +1,121 @@
+//! What rays meet: primitives in their places, and the trees and objects made of them.
+
+use bitflags::bitflags;
+
+use super::extent::Extent;
+use super::ray::Ray;
+use super::shape::{Primitive, Shape};
+use crate::math::{DVec3, Transform};
+
+bitflags! {
+    /// Kinds of rays; for an object, those that don't see it (docs/spec/shading.md 3).
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct RayKind: u8 {
+        /// From the camera, or transmitted from such a ray: `no_image`.
+        const IMAGE = 1;
+        /// Reflected, or descending from a reflected one: `no_reflection`.
+        const REFLECTION = 1 << 1;
+        /// Towards a light: `no_shadow`.
+        const SHADOW = 1 << 2;
+        /// Gathering indirect light: `no_radiosity`.
+        const RADIOSITY = 1 << 3;
+    }
+}
+
+bitflags! {
+    /// The on/off traits of a [`Leaf`].
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct LeafFlags: u8 {
+        /// Inside and outside are exchanged.
+        const INVERTED = 1;
+        /// The outward normal is the shape's own, reversed.
+        const REVERSED = 1 << 1;
+        /// It has an inside.
+        const SOLID = 1 << 2;
+        /// No light passes: all its textures are opaque everywhere.
+        const OPAQUE = 1 << 3;
+        /// Lit from both sides.
+        const DOUBLE_ILLUMINATE = 1 << 4;
+        /// Textures are evaluated at `<u,v,0>`.
+        const UV_MAPPING = 1 << 5;
+    }
+}
+
+/// A primitive in its place.
+#[derive(Debug)]
+pub struct Leaf {
+    /// The geometry, in its own space.
+    pub primitive: Primitive,
+    /// From the primitive's space to the world; `None` is the identity.
+    pub transform: Option<Box<Transform>>,
+    /// Where its inside may be, and all of its surface.
+    pub extent: Extent,
+    /// `clipped_by` and `bounded_by`.
+    pub limits: Option<Box<Limits>>,
+    /// The compound it is a member of.
+    pub parent: Option<u32>,
+    /// On/off traits.
+    pub flags: LeafFlags,
+    /// Rays that pass through it.
+    pub hidden: RayKind,
+    /// The surface: a number into the world's textures; `None` takes that of the solids cut
+    /// (`cutaway_textures`) or brings its own.
+    pub texture: Option<u32>,
+    /// The surface seen from inside.
+    pub interior_texture: Option<u32>,
+    /// Where in the world's textures the shape's own list begins.
+    pub own_textures: u32,
+    /// What it is filled with: a number into the world's interiors.
+    pub interior: u32,
+    /// Which lights reach it: a number into the world's light sets.
+    pub lights: u32,
+    /// The statement it comes from, for whoever started the rendering to look up.
+    pub origin: u32,
+}
+
+impl Leaf {
+    /// The ray in the primitive's space.
+    pub(super) fn inner(&self, ray: &Ray) -> Ray {
+        self.transform.as_ref().map_or(*ray, |transform| ray.to_inner(transform))
+    }
+
+    /// The point in the primitive's space.
+    pub(super) fn inner_point(&self, point: DVec3) -> DVec3 {
+        self.transform.as_ref().map_or(point, |transform| transform.inverse_point(point))
+    }
+
+    /// A normal of the primitive in the world: outward, unit.
+    pub(super) fn outer_normal(&self, normal: DVec3) -> DVec3 {
+        let normal = self.transform.as_ref().map_or(normal, |transform| transform.normal(normal));
+        let normal = normal.normalize_or_zero();
+        if self.flags.contains(LeafFlags::REVERSED) { -normal } else { normal }
+    }
+
+    /// Whether `point` is inside, but for clips.
+    pub(super) fn contains(&self, point: DVec3) -> bool {
+        let point = self.inner_point(point);
+        self.flags.contains(LeafFlags::SOLID)
+            && match self.flags.contains(LeafFlags::INVERTED) {
+                false => self.primitive.inside(point),
+                true => self.primitive.outside(point),
+            }
+    }
+}
+
+/// A primitive or a compound of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Member {
+    /// Number of a [`Leaf`].
+    Leaf(u32),
+    /// Number of a [`Group`].
+    Group(u32),
+}
+
+/// `clipped_by` and `bounded_by`.
+#[derive(Debug, Default)]
+pub struct Limits {
+    /// Only points inside all of these remain.
+    pub clips: Vec<Member>,
+    /// Rays that neither start in nor hit each of these miss the object.
+    pub bounds: Vec<Member>,
+}

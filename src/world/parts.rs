@@ -1,0 +1,134 @@
+//! Everything that makes up the geometry of a world, by number.
+
+use super::accel::Accel;
+use super::extent::Extent;
+use super::object::{Leaf, Limits, Member};
+use crate::options::Accelerator;
+
+/// How a [`Group`] combines its members.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operation {
+    /// All surfaces of all members.
+    Union,
+    /// Surfaces that are in no other member.
+    Merge,
+    /// Surfaces that are in every other member.
+    Intersection,
+}
+
+/// A compound.
+#[derive(Debug)]
+pub struct Group {
+    /// How the members combine.
+    pub operation: Operation,
+    /// In the order of the text.
+    pub members: Vec<Member>,
+    /// Where its inside and its surface may be.
+    pub extent: Extent,
+    /// `clipped_by` and `bounded_by`.
+    pub limits: Option<Box<Limits>>,
+    /// The compound it is a member of.
+    pub parent: Option<u32>,
+    /// Of the members of a `difference` the first is what is cut.
+    pub difference: bool,
+    /// Rays find the members with finite boxes here, by their place among the members.
+    pub(super) bounded: Accel,
+    /// The other members.
+    pub(super) unbounded: Vec<Member>,
+    /// Members that decide about points outside of their boxes.
+    pub(super) wide: Vec<Member>,
+}
+
+impl Group {
+    /// Combines members that are in `parts` already.
+    pub fn new(operation: Operation, members: Vec<Member>, parts: &Parts, accelerator: Accelerator) -> Self {
+        let extents = members.iter().map(|&member| *parts.extent(member));
+        let extent = match operation {
+            Operation::Intersection => Extent::intersection(extents),
+            Operation::Union | Operation::Merge => Extent::union(extents),
+        };
+        let is_finite = |member: Member| parts.extent(member).bounds.is_finite();
+        let boxes = (0..).zip(&members).filter(|&(_, &member)| is_finite(member));
+        let boxes = boxes.map(|(place, &member)| (parts.extent(member).bounds, place)).collect();
+        Self {
+            bounded: Accel::new(boxes, accelerator),
+            unbounded: members.iter().copied().filter(|&m| !is_finite(m)).collect(),
+            wide: members
+                .iter()
+                .copied()
+                .filter(|&m| !is_finite(m) || parts.extent(m).beyond == operation.decisive())
+                .collect(),
+            operation,
+            members,
+            extent,
+            limits: None,
+            parent: None,
+            difference: false,
+        }
+    }
+}
+
+impl Operation {
+    /// The answer to "inside?" with which one member decides for the whole.
+    pub(super) fn decisive(self) -> bool {
+        self != Self::Intersection
+    }
+}
+
+/// What stands on its own in the scene, unions taken apart.
+#[derive(Debug)]
+pub struct Object {
+    /// Its geometry.
+    pub member: Member,
+    /// What it is filled with, for rays that start inside it.
+    pub interior: u32,
+    /// Whether it is no part of the picture, only asked for by number.
+    pub apart: bool,
+    /// Whether all of its leaves are opaque.
+    pub opaque: bool,
+}
+
+/// Leaves, compounds and objects.
+#[derive(Debug, Default)]
+pub struct Parts {
+    /// Primitives, those of an object next to each other in the order of the text.
+    pub leaves: Vec<Leaf>,
+    /// Compounds.
+    pub groups: Vec<Group>,
+    /// Objects in the order of the text.
+    pub objects: Vec<Object>,
+}
+
+impl Parts {
+    /// A leaf by number.
+    pub fn leaf(&self, number: u32) -> &Leaf {
+        &self.leaves[number as usize]
+    }
+
+    /// A compound by number.
+    pub fn group(&self, number: u32) -> &Group {
+        &self.groups[number as usize]
+    }
+
+    /// Where a member's inside and surface may be.
+    pub fn extent(&self, member: Member) -> &Extent {
+        match member {
+            Member::Leaf(number) => &self.leaf(number).extent,
+            Member::Group(number) => &self.group(number).extent,
+        }
+    }
+
+    pub(super) fn limits(&self, member: Member) -> Option<&Limits> {
+        match member {
+            Member::Leaf(number) => self.leaf(number).limits.as_deref(),
+            Member::Group(number) => self.group(number).limits.as_deref(),
+        }
+    }
+
+    pub(super) fn parent(&self, member: Member) -> Option<u32> {
+        match member {
+            Member::Leaf(number) => self.leaf(number).parent,
+            Member::Group(number) => self.group(number).parent,
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! What is known about a surface where a ray meets it.
+
+use super::hit::{Geometry, Hit};
+use super::ray::Ray;
+use super::shape::Shape;
+use crate::math::{Bounds, DVec2, DVec3};
+
+/// A point of a surface, as shading sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Intersection {
+    /// The point.
+    pub point: DVec3,
+    /// How far rounding may have moved it; leaving rays start this far off the surface.
+    pub error: f64,
+    /// Unit normal, turned towards the viewer; interpolated on smooth triangles.
+    pub normal: DVec3,
+    /// Unit normal of the true surface, turned like `normal`.
+    pub geometric: DVec3,
+    /// Whether the surface is seen from inside, so that the normals were turned round.
+    pub inside: bool,
+}
+
+impl Intersection {
+    /// Where a ray in `direction` starts that leaves the surface here.
+    pub fn leave(&self, direction: DVec3) -> DVec3 {
+        let outward = if direction.dot(self.geometric) < 0.0 { -self.geometric } else { self.geometric };
+        self.point + self.error * outward
+    }
+}
+
+/// Bound on the rounding errors of a point, relative to the numbers it was computed from.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+impl Geometry {
+    /// Works out a hit of `ray`.
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Intersection {
+        let leaf = self.parts().leaf(hit.leaf);
+        let inner = leaf.primitive.reproject(leaf.inner(ray).at(hit.t), &hit.crossing);
+        let point = leaf.transform.as_ref().map_or(inner, |transform| transform.point(inner));
+        let normal = leaf.outer_normal(leaf.primitive.normal(inner, &hit.crossing));
+        let geometric = leaf.outer_normal(leaf.primitive.geometric_normal(inner, &hit.crossing));
+        let inside = normal.dot(ray.direction) > 0.0;
+        let turn = |n: DVec3| if inside { -n } else { n };
+        let coordinates = ray.origin.abs().max(point.abs()).max_element() + size(leaf.extent.bounds);
+        let terms = leaf
+            .transform
+            .as_ref()
+            .map_or(0.0, |transform| transform.forward.translation.abs().max_element());
+        Intersection {
+            point,
+            error: ROUNDING * (coordinates + terms),
+            normal: turn(normal),
+            geometric: turn(geometric),
+            inside,
+        }
+    }
+
+    /// Texture coordinates of a hit at `point`; x and y of the point where the shape has none.
+    pub fn uv(&self, hit: &Hit, point: DVec3) -> DVec2 {
+        let leaf = self.parts().leaf(hit.leaf);
+        leaf.primitive.uv(leaf.inner_point(point), &hit.crossing).unwrap_or(point.truncate())
+    }
+}
+
+fn size(bounds: Bounds) -> f64 {
+    if bounds.is_finite() { bounds.size().max_element() } else { 0.0 }
+}
