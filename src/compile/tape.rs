@@ -217,7 +217,10 @@ impl<'w, 'a> Writer<'w, 'a> {
             [condition, negative, other] => (condition, negative, None, other),
             [condition, negative, zero, positive] => (condition, negative, Some(zero), positive),
             _ => {
-                return Err(Unsupported::broken(self.function.span, "`select` takes three or four arguments"));
+                return Err(Unsupported::broken(
+                    self.function.span,
+                    "`select` takes three or four arguments",
+                ));
             }
         };
         let condition = self.value(condition)?;
