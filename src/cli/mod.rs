@@ -3,6 +3,7 @@
 pub mod animation;
 pub mod job;
 pub mod output;
+pub mod picture;
 pub mod povray;
 mod problem;
 pub mod settings;
