@@ -7,7 +7,7 @@ use super::animation::{Animation, Frame};
 use super::output::{Dither, Encoding, Format, Place};
 use super::settings::{Name, Settings};
 use crate::math::Gamma;
-use crate::options::{Antialias, AntialiasMethod, LanguageOptions, Region, RenderOptions};
+use crate::options::{Antialias, AntialiasMethod, Clock, LanguageOptions, Region, RenderOptions};
 
 /// Most pixels of a picture: sixteen bytes each fill four gigabytes.
 const MOST_PIXELS: u64 = 1 << 28;
@@ -35,6 +35,8 @@ pub struct Job {
     pub continue_trace: bool,
     /// What the user should know about the options.
     pub warnings: Vec<String>,
+    /// Whether the output's name is the file's as it is, rather than one that gets an extension.
+    pub exact_output: bool,
     output_name: Option<String>,
 }
 
@@ -84,14 +86,23 @@ impl Job {
             animation: Animation::new(settings),
             continue_trace: settings.bool(Name::ContinueTrace) == Some(true),
             warnings,
+            exact_output: false,
             output_name: settings.text(Name::OutputFileName).map(str::to_owned),
             input,
         })
     }
 
+    /// The moment of the first picture.
+    pub fn first_clock(&self) -> Clock {
+        self.animation.frames().next().map(|frame| frame.clock).unwrap_or_default()
+    }
+
     /// Where a frame's picture goes; none where none is stored.
     pub fn place(&self, frame: &Frame) -> Option<Place> {
         let format = self.encoding.as_ref()?.format;
+        if let (true, Some(name)) = (self.exact_output, &self.output_name) {
+            return Some(Place::exact(name, &frame.digits));
+        }
         Some(Place::new(&self.input, self.output_name.as_deref(), format, &frame.digits))
     }
 }

@@ -7,6 +7,7 @@ use image::{DynamicImage, Rgb, RgbImage, Rgba32FImage};
 use serde::Serialize;
 
 use super::Problem;
+use super::output::Place;
 
 /// Differences up to this many steps of 255 are not seen.
 const INVISIBLE: f32 = 2.0;
@@ -55,6 +56,20 @@ pub fn read(path: &Path) -> Result<DynamicImage, Problem> {
         .map_err(|error| cannot(&error))?
         .decode()
         .map_err(|error| cannot(&error))
+}
+
+/// Writes a picture as PNG, or as the format of its file's extension.
+///
+/// # Errors
+/// The file cannot be written.
+pub fn write(picture: &RgbImage, path: &Path) -> Result<(), Problem> {
+    let format = image::ImageFormat::from_path(path).unwrap_or(image::ImageFormat::Png);
+    let mut bytes = std::io::Cursor::new(Vec::new());
+    let cannot =
+        |error: &dyn fmt::Display| Problem::new(format!("cannot write `{}`: {error}", path.display()));
+    picture.write_to(&mut bytes, format).map_err(|error| cannot(&error))?;
+    let opened = Place::File(path.to_owned()).open()?;
+    opened.finish(&bytes.into_inner()).map_err(|error| cannot(&error))
 }
 
 /// Compares two pictures of one size, alpha included where either has it.

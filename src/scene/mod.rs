@@ -12,6 +12,7 @@
 
 pub mod atmosphere;
 pub mod camera;
+mod dump;
 pub mod function;
 pub mod image;
 pub mod interior;

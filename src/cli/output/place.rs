@@ -48,6 +48,15 @@ impl Place {
         Self::File(PathBuf::from(format!("{base}{digits}{extension}")))
     }
 
+    /// A file of exactly the name given, with a frame's number before the extension.
+    pub fn exact(given: &str, digits: &str) -> Self {
+        match given.rsplit_once('.') {
+            _ if given == "-" => Self::Stdout,
+            Some((stem, extension)) => Self::File(PathBuf::from(format!("{stem}{digits}.{extension}"))),
+            None => Self::File(PathBuf::from(format!("{given}{digits}"))),
+        }
+    }
+
     /// What the console calls it.
     pub fn name(&self) -> String {
         match self {
@@ -55,6 +64,11 @@ impl Place {
             Self::Stderr => "stderr".to_owned(),
             Self::File(path) => path.display().to_string(),
         }
+    }
+
+    /// Whether a picture is there already.
+    pub fn is_taken(&self) -> bool {
+        matches!(self, Self::File(path) if fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() > 0))
     }
 
     /// Makes sure that a picture can be written there, before anything is rendered.

@@ -1,0 +1,25 @@
+//! `povista dump`: what was understood of a scene.
+
+use std::io::Write;
+
+use super::args::Scene;
+use super::settings;
+use super::teller::Teller;
+use crate::cli::failure::Failure;
+use crate::cli::job::Job;
+use crate::cli::read;
+
+/// Shows what was understood of a scene.
+///
+/// # Errors
+/// The scene has errors, or nobody reads the answer.
+pub(super) fn dump(
+    arguments: &Scene,
+    out: &mut dyn Write,
+    err: &mut (dyn Write + Send),
+) -> Result<(), Failure> {
+    let job = Job::new(&settings::of_scene(arguments)?)?;
+    let (scene, _) = read::scene(&job, job.first_clock(), &mut Teller::new(err, false))?;
+    writeln!(out, "{}", scene.dump())?;
+    Ok(())
+}

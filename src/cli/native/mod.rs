@@ -1,0 +1,93 @@
+//! povista's own command line: `render`, `check`, `diff` and their kin.
+
+mod args;
+mod check;
+mod diff;
+mod dump;
+mod settings;
+mod teller;
+mod terminal;
+
+use std::ffi::OsString;
+use std::io::Write;
+
+use clap::{CommandFactory, Parser};
+
+use super::exit;
+use super::failure::Failure;
+use super::problem::Problem;
+use args::{Arguments, Command};
+use terminal::Terminal;
+
+/// What `--version` says.
+const LONG_VERSION: &str = concat!(
+    env!("CARGO_PKG_VERSION"),
+    "\nReads and renders the scenes of POV-Ray 3.7.\n",
+    "Licensed under MIT or Apache-2.0, at your choice. Not part of POV-Ray."
+);
+
+/// Runs a command line and returns the exit code.
+pub(super) fn main(
+    arguments: Vec<OsString>,
+    out: &mut (dyn Write + Send),
+    err: &mut (dyn Write + Send),
+) -> u8 {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(answer) => {
+            let good = answer.exit_code() == 0;
+            // Help was asked for, so it goes where answers go.
+            let text = if Terminal::of_stderr().is_there() && Terminal::of_stdout().is_there() {
+                answer.render().ansi().to_string()
+            } else {
+                answer.render().to_string()
+            };
+            let stream: &mut dyn Write = if good { out } else { err };
+            let _ = stream.write_all(text.as_bytes());
+            return if good { exit::SUCCESS } else { exit::FAILURE };
+        }
+    };
+    let result = run(arguments, out, err);
+    end(result, err)
+}
+
+/// The exit code of a result, told if it is no good one.
+fn end(result: Result<bool, Failure>, err: &mut dyn Write) -> u8 {
+    match result {
+        Ok(true) => exit::SUCCESS,
+        Ok(false) | Err(Failure::Scene) => exit::FAILURE,
+        Err(Failure::Abandoned) => exit::ABANDONED,
+        Err(Failure::Missing(problem) | Failure::Problem(problem)) => {
+            tell(&problem, err);
+            exit::FAILURE
+        }
+    }
+}
+
+/// Runs a command; tells whether its answer is a good one.
+fn run(
+    arguments: Arguments,
+    out: &mut (dyn Write + Send),
+    err: &mut (dyn Write + Send),
+) -> Result<bool, Failure> {
+    match arguments.command {
+        Command::Check(arguments) => check::check(&arguments, out),
+        Command::Dump(arguments) => dump::dump(&arguments, out, err).map(|()| true),
+        Command::Diff(arguments) => diff::diff(&arguments, out),
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), "povista", &mut script);
+            out.write_all(&script)?;
+            Ok(true)
+        }
+    }
+}
+
+/// Tells a problem and what may help.
+fn tell(problem: &Problem, err: &mut dyn Write) {
+    let terminal = Terminal::of_stderr();
+    let _ = writeln!(err, "{} {}", terminal.bold("povista:"), problem.message);
+    if let Some(help) = &problem.help {
+        let _ = writeln!(err, "  help: {help}");
+    }
+}

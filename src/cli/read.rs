@@ -1,0 +1,65 @@
+//! Finding and reading the scene of a job.
+
+use std::io::Read;
+use std::path::Path;
+
+use super::failure::Failure;
+use super::job::Job;
+use super::problem::Problem;
+use crate::diag::Sink;
+use crate::interp;
+use crate::options::{Clock, LanguageOptions};
+use crate::scene::Scene;
+use crate::source::{FileId, FileKind, Library, Missing, Source, Sources};
+
+/// Name of a scene that comes from standard input.
+const STDIN: &str = "-";
+
+/// Reads the scene at a moment; the sink hears what is wrong with it.
+///
+/// # Errors
+/// There is no such file, or the scene has errors.
+pub(super) fn scene(job: &Job, clock: Clock, sink: &mut dyn Sink) -> Result<(Scene, Sources), Failure> {
+    let options = LanguageOptions { clock, ..job.language.clone() };
+    let (main, mut sources) = open(job).map_err(Failure::Missing)?;
+    let scene = interp::interpret(main, &mut sources, &options, sink).ok_or(Failure::Scene)?;
+    Ok((scene, sources))
+}
+
+/// Opens the file of a job's scene.
+fn open(job: &Job) -> Result<(FileId, Sources), Problem> {
+    let mut library = Library { paths: job.language.library_paths.clone(), ..Library::default() };
+    if job.input == STDIN {
+        let mut bytes = Vec::new();
+        std::io::stdin()
+            .read_to_end(&mut bytes)
+            .map_err(|error| Problem::io("read", Path::new("standard input"), &error))?;
+        let mut sources = Sources::new(library);
+        let main = sources.add(Source::new("standard input", "", bytes));
+        return Ok((main, sources));
+    }
+    let (path, bytes) =
+        library.open(&job.input, FileKind::Scene).map_err(|missing| no_scene(&job.input, missing))?;
+    library.scene = path.parent().map(Path::to_owned);
+    let mut sources = Sources::new(library);
+    let main = sources.add(Source::new(path.display().to_string(), path, bytes));
+    Ok((main, sources))
+}
+
+/// Says why there is no scene.
+fn no_scene(name: &str, missing: Missing) -> Problem {
+    match missing {
+        Missing::NotFound(folders) => {
+            let names: Vec<String> = folders
+                .iter()
+                .filter(|folder| !folder.as_os_str().is_empty())
+                .map(|folder| format!("`{}`", folder.display()))
+                .collect();
+            let others = if names.is_empty() { String::new() } else { format!(" and {}", names.join(", ")) };
+            Problem::new(format!("cannot find the scene `{name}`"))
+                .help(format!("searched in the current folder{others}"))
+        }
+        Missing::Folder(path) => Problem::new(format!("`{}` is a folder, not a scene", path.display())),
+        Missing::Unreadable(path, error) => Problem::io("read", &path, &error),
+    }
+}
