@@ -11,9 +11,11 @@ use crate::world::shape::disc::Disc;
 use crate::world::shape::empty::Empty;
 use crate::world::shape::mesh::{self, Mesh};
 use crate::world::shape::plane::Plane;
+use crate::world::shape::poly::Poly;
 use crate::world::shape::polygon::Polygon;
 use crate::world::shape::quadric::Quadric;
 use crate::world::shape::sphere::Sphere;
+use crate::world::shape::superellipsoid::Superellipsoid;
 use crate::world::shape::torus::Torus;
 use crate::world::shape::triangle::Triangle;
 use crate::world::shape::{Primitive, Shape};
@@ -70,7 +72,7 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::Polygon(points) => Compiled::rare(Polygon::new(points)),
         S::Quadric(q) => Compiled::rare(Some(Quadric::new(q.squares, q.products, q.linear, q.constant))),
         S::Mesh(mesh) => triangles(mesh),
-        S::Poly(_) => return Err("poly"),
+        S::Poly(poly) => Compiled::rare(Poly::new(poly.order, &poly.coefficients)),
         S::BicubicPatch(_) => return Err("bicubic_patch"),
         S::Blob(_) => return Err("blob"),
         S::HeightField(_) => return Err("height_field"),
@@ -80,7 +82,7 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::Prism(_) => return Err("prism"),
         S::Sor(_) => return Err("sor"),
         S::SphereSweep(_) => return Err("sphere_sweep"),
-        S::Superellipsoid { .. } => return Err("superellipsoid"),
+        &S::Superellipsoid { east, north } => Compiled::rare(Superellipsoid::new(east, north)),
         S::Ovus { .. } => return Err("ovus"),
         S::Text(_) => return Err("text"),
         S::Parametric(_) => return Err("parametric"),

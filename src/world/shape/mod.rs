@@ -7,11 +7,13 @@ pub mod disc;
 pub mod empty;
 pub mod mesh;
 pub mod plane;
+pub mod poly;
 pub mod polygon;
 pub mod primitive;
 pub mod quadric;
 pub mod sphere;
 pub mod stretch;
+pub mod superellipsoid;
 pub mod torus;
 pub mod triangle;
 

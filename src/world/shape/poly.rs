@@ -1,0 +1,338 @@
+//! `cubic`, `quartic`, `poly`, `polynomial` (docs/spec/primitives.md 3.9).
+
+use super::{Crossing, Shape};
+use crate::math::roots::{Roots, roots_between};
+use crate::math::{Bounds, DVec3};
+use crate::world::{Range, Ray};
+
+/// The surface where a polynomial in x, y and z is zero; inside where it isn't above.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Poly {
+    degree: usize,
+    /// By the exponent of x, then of y, then of z, each in Horner's order: the highest first.
+    coefficients: Vec<Vec<Vec<f64>>>,
+}
+
+/// The highest degree.
+pub const MAX_DEGREE: usize = 35;
+
+/// A polynomial along a ray, the constant first.
+#[derive(Clone, Copy)]
+struct Along<const N: usize> {
+    terms: [f64; N],
+    count: usize,
+}
+
+impl<const N: usize> Along<N> {
+    const ZERO: Self = Self { terms: [0.0; N], count: 0 };
+
+    /// Times `origin + direction t`.
+    fn step(&mut self, origin: f64, direction: f64) {
+        if self.count == 0 {
+            return;
+        }
+        self.terms[self.count] = 0.0;
+        for i in (0..self.count).rev() {
+            let term = self.terms[i];
+            self.terms[i + 1] += term * direction;
+            self.terms[i] = term * origin;
+        }
+        self.count += 1;
+    }
+
+    fn add(&mut self, other: &Self) {
+        for i in 0..other.count {
+            if i < self.count {
+                self.terms[i] += other.terms[i];
+            } else {
+                self.terms[i] = other.terms[i];
+            }
+        }
+        self.count = self.count.max(other.count);
+    }
+
+    fn add_constant(&mut self, constant: f64) {
+        if self.count == 0 {
+            (self.terms[0], self.count) = (0.0, 1);
+        }
+        self.terms[0] += constant;
+    }
+}
+
+impl Poly {
+    /// From the coefficients in the order of the `poly` statement; missing ones are 0.
+    /// `None` for a degree out of 1 … [`MAX_DEGREE`].
+    pub fn new(degree: u32, coefficients: &[f64]) -> Option<Self> {
+        let degree = degree as usize;
+        if !(1..=MAX_DEGREE).contains(&degree) {
+            return None;
+        }
+        let mut rest = coefficients.iter().copied();
+        let mut all = Vec::new();
+        for i in (0..=degree).rev() {
+            let mut by_y = Vec::new();
+            for j in (0..=degree - i).rev() {
+                let by_z: Vec<f64> = (0..=degree - i - j).map(|_| rest.next().unwrap_or(0.0)).collect();
+                by_y.push(trimmed(by_z, |c| *c == 0.0));
+            }
+            all.push(trimmed(by_y, Vec::is_empty));
+        }
+        Some(Self { degree, coefficients: trimmed(all, Vec::is_empty) })
+    }
+
+    /// The polynomial in the distance along a ray.
+    fn along<const N: usize>(&self, ray: &Ray) -> Along<N> {
+        let (o, d) = (ray.origin, ray.direction);
+        let mut in_x = Along::<N>::ZERO;
+        for by_y in &self.coefficients {
+            in_x.step(o.x, d.x);
+            let mut in_y = Along::<N>::ZERO;
+            for by_z in by_y {
+                in_y.step(o.y, d.y);
+                let mut in_z = Along::<N>::ZERO;
+                for coefficient in by_z {
+                    in_z.step(o.z, d.z);
+                    in_z.add_constant(*coefficient);
+                }
+                in_y.add(&in_z);
+            }
+            in_x.add(&in_y);
+        }
+        in_x
+    }
+
+    fn roots<const N: usize>(&self, ray: &Ray) -> Roots<N> {
+        let along = self.along::<N>(ray);
+        roots_between(&along.terms[..along.count], f64::NEG_INFINITY, f64::INFINITY)
+    }
+
+    /// Calls back with the distance of every crossing on the line, ascending, until told to stop.
+    fn walk(&self, ray: &Ray, mut found: impl FnMut(f64) -> bool) {
+        let (shift, ray) = ray.moved_to(DVec3::ZERO);
+        let mut each = |roots: &[f64]| {
+            roots.iter().all(|t| found(self.polish(&ray, *t) + shift));
+        };
+        match self.degree {
+            ..=4 => each(self.roots::<5>(&ray).as_slice()),
+            ..=8 => each(self.roots::<9>(&ray).as_slice()),
+            _ => each(self.roots::<{ MAX_DEGREE + 1 }>(&ray).as_slice()),
+        }
+    }
+
+    /// One Newton step on the surface's own equation, whose terms cancel less than those of the
+    /// polynomial in the distance, unless it is a leap.
+    fn polish(&self, ray: &Ray, t: f64) -> f64 {
+        let (value, gradient, _) = self.value(ray.at(t));
+        let step = value / gradient.dot(ray.direction);
+        if step.abs() <= 1e-8 * t.abs() { t - step } else { t }
+    }
+
+    /// Value, gradient, and the size of the terms whose rounding the value carries.
+    fn value(&self, p: DVec3) -> (f64, DVec3, f64) {
+        let a = p.abs();
+        let (mut value, mut slope, mut size) = (0.0, DVec3::ZERO, 0.0);
+        for by_y in &self.coefficients {
+            let (mut in_y, mut slope_y, mut slope_yz, mut size_y) = (0.0, 0.0, 0.0, 0.0);
+            for by_z in by_y {
+                let (mut in_z, mut slope_z, mut size_z) = (0.0, 0.0, 0.0);
+                for c in by_z {
+                    slope_z = slope_z * p.z + in_z;
+                    in_z = in_z * p.z + c;
+                    size_z = size_z * a.z + c.abs();
+                }
+                slope_y = slope_y * p.y + in_y;
+                slope_yz = slope_yz * p.y + slope_z;
+                in_y = in_y * p.y + in_z;
+                size_y = size_y * a.y + size_z;
+            }
+            slope = DVec3::new(slope.x * p.x + value, slope.y * p.x + slope_y, slope.z * p.x + slope_yz);
+            value = value * p.x + in_y;
+            size = size * a.x + size_y;
+        }
+        (value, slope, size)
+    }
+}
+
+/// Without the leading entries that are `empty`.
+fn trimmed<T>(mut all: Vec<T>, empty: impl Fn(&T) -> bool) -> Vec<T> {
+    let from = all.iter().position(|entry| !empty(entry)).unwrap_or(all.len());
+    all.drain(..from);
+    all
+}
+
+impl Shape for Poly {
+    fn bounds(&self) -> Bounds {
+        Bounds::ALL
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        self.walk(ray, |t| {
+            if range.contains(t) {
+                out.push(Crossing::new(t, 0));
+            }
+            true
+        });
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let mut nearest = None;
+        self.walk(ray, |t| {
+            nearest = range.contains(t).then(|| Crossing::new(t, 0));
+            nearest.is_none()
+        });
+        nearest
+    }
+
+    /// The surface is inside, as far as rounding can tell. POV-Ray adds all values below 1e-4.
+    fn inside(&self, point: DVec3) -> bool {
+        let (value, _, size) = self.value(point);
+        value <= 8.0 * f64::EPSILON * size
+    }
+
+    fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
+        let gradient = self.value(point).1;
+        if gradient == DVec3::ZERO { DVec3::X } else { gradient }
+    }
+
+    fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
+        let (value, gradient, _) = self.value(point);
+        let step = gradient * (value / gradient.length_squared());
+        // Where the gradient vanishes the step leads anywhere.
+        let near = step.length_squared() <= 1e-12 * point.length_squared();
+        if near { point - step } else { point }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::battery::{Probe, battery, table};
+    use super::*;
+
+    /// A polynomial from its terms, as of a `polynomial` statement.
+    fn terms(degree: usize, terms: &[([usize; 3], f64)]) -> Poly {
+        let mut coefficients = Vec::new();
+        for i in (0..=degree).rev() {
+            for j in (0..=degree - i).rev() {
+                for k in (0..=degree - i - j).rev() {
+                    let term = terms.iter().find(|term| term.0 == [i, j, k]);
+                    coefficients.push(term.map_or(0.0, |term| term.1));
+                }
+            }
+        }
+        Poly::new(degree as u32, &coefficients).unwrap()
+    }
+
+    /// x^n + y^n + z^n - 1.
+    fn powers(n: usize) -> Poly {
+        terms(n, &[([n, 0, 0], 1.0), ([0, n, 0], 1.0), ([0, 0, n], 1.0), ([0, 0, 0], -1.0)])
+    }
+
+    fn torus(size: f64) -> Poly {
+        let s = size * size;
+        #[rustfmt::skip]
+        let coefficients = [
+            1., 0., 0., 0., 2., 0., 0., 2., 0., -1.25 * s, 0., 0., 0., 0., 0., 0., 0., 0., 0., 0., 1., 0., 0.,
+            2., 0., 1.0 * s, 0., 0., 0., 0., 1., 0., -1.25 * s, 0., 0.25 * s * s,
+        ];
+        Poly::new(4, &coefficients).unwrap()
+    }
+
+    battery! {
+        quartic_torus: |size| torus(size);
+        sextic: |size| {
+            let s = size.powi(-6);
+            terms(6, &[([6, 0, 0], s), ([0, 6, 0], s), ([0, 0, 6], s), ([0, 0, 0], -1.0)])
+        };
+        cubic: |size| terms(3, &[([3, 0, 0], size.powi(-2)), ([0, 1, 0], -1.0), ([1, 0, 2], size.powi(-2))]);
+        twentieth: || powers(20);
+    }
+
+    #[test]
+    fn probes_agree_with_povray() {
+        let numbers: Vec<f64> = (1..20).map(f64::from).chain([-20.0]).collect();
+        table(
+            &Poly::new(3, &numbers).unwrap(),
+            "from <-5,0.1,0.2> dir <1,0.05,0.02> | P <0.102152184822835, 0.355107609241142, 0.302043043696457> N <0.291353465818499, 0.618937456916427, 0.729403579907156>
+            inside <0,0,0> | 1
+            inside <1,1,1> | 0",
+        );
+        #[rustfmt::skip]
+        let ring = [
+            1., 0., 0., 0., 2., 0., 0., 2., 0., -2.125, 0., 0., 0., 0., 0., 0., 0., 0., 0., 0., 1., 0., 0., 2.,
+            0., 1.875, 0., 0., 0., 0., 1., 0., -2.125, 0., 0.878_906_25,
+        ];
+        table(
+            &Poly::new(4, &ring).unwrap(),
+            "from <0.2,0.1,-5> dir <0.05,0.01,1> | P <0.39287952045384, 0.138575904090768, -1.142409590923192> N <0.270677197089868, 0.554303616363276, -0.787071379140524>
+            inside <1,0.25,0> | 1
+            inside <1,0.2501,0> | 0",
+        );
+        table(
+            &Poly::new(2, &[1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 3.0, 0.0, -1.0]).unwrap(),
+            "from <0.1,0.2,-5> dir <0,0,1> | P <0.1, 0.2, -0.550757054728609> N <0.05872202195147, 0.234888087805882, -0.970247035731018>
+            from <5,0,0> dir <-1,0,0> | P <1, 0, 0> N <1, 0, 0>
+            inside <1,0,0> | 1
+            inside <1.00006,0,0> | 0",
+        );
+        // POV-Ray's solver ends at x = 0.999513534860.
+        table(
+            &terms(5, &[([5, 0, 0], 1.0), ([0, 5, 0], 1.0), ([0, 0, 0], -1.0)]),
+            "from <-5,0.3,0.2> dir <1,0,0> | P <0.999513526918, 0.3, 0.2> N <0.999967068677, 0.008115513652, 0>",
+        );
+        table(
+            &powers(6),
+            "from <0.1,0.2,-5> dir <0,0,1> | P <0.1, 0.2, -0.999989166372055> N <0.000010000541186, 0.000320017317965, -0.999999948744451>
+            from <0.1,0.2,-5> dir <0.01,0.02,1> | P <0.140000815894669, 0.280001631789339, -0.999918410533064> N <0.000053805833753, 0.001721786680103, -0.99999851627668>",
+        );
+        let saddle = terms(3, &[([3, 0, 0], 1.0), ([0, 1, 0], -1.0)]);
+        table(
+            &saddle,
+            "from <0.5,-5,0> dir <1e-3,1,0> | P <0.505128886257798, 0.128886257797527, 0> N <0.607830689164191, -0.794066655457957, 0>",
+        );
+    }
+
+    #[test]
+    fn four_sheets_are_found_one_by_one() {
+        let c =
+            [([4, 0, 0], 1.0), ([3, 0, 0], -10.0), ([2, 0, 0], 35.0), ([1, 0, 0], -50.0), ([0, 0, 0], 24.0)];
+        table(
+            &terms(4, &c),
+            "from <-5,0,0> dir <1,0,0> | P <1, 0, 0> N <-1, 0, 0>
+            from <1.5,0,0> dir <1,0,0> | P <2, 0, 0> N <1, 0, 0>
+            from <3.5,0,0> dir <1,0,0> | P <4, 0, 0> N <1, 0, 0>
+            from <4.5,0,0> dir <-1,0,0> | P <4, 0, 0> N <1, 0, 0>",
+        );
+        table(
+            &terms(4, &[([4, 0, 0], 1e-8), ([1, 0, 0], 1.0), ([0, 0, 0], -1.0)]),
+            "from <-5,0,0> dir <1,0,0> | P <0.999999990000276, 0, 0> N <1, 0, 0>",
+        );
+    }
+
+    #[test]
+    fn a_ray_along_which_the_equation_is_linear_hits() {
+        // POV-Ray misses.
+        table(
+            &terms(3, &[([3, 0, 0], 1.0), ([0, 1, 0], -1.0)]),
+            "from <0.5,-5,0> dir <0,1,0> | P <0.5, 0.125, 0> N <0.6, -0.8, 0>",
+        );
+    }
+
+    #[test]
+    fn a_small_constant_term_is_not_thrown_away() {
+        // POV-Ray answers <0.00018, 0.01, 0>.
+        let hit = Probe::new(DVec3::new(-1.000_09, 0.0, 0.0), DVec3::new(1.0, 0.01, 0.0));
+        let found = hit.hit(&terms(3, &[([3, 0, 0], 1.0), ([1, 0, 0], -1.0)])).unwrap();
+        assert!((found.point.x + 1.0).abs() < 1e-15, "{}", found.point);
+    }
+
+    #[test]
+    fn sheets_that_only_touch_zero_are_hit_where_they_are() {
+        // POV-Ray misses the first, and finds the second at x = -2.6.
+        let double = terms(4, &[([4, 0, 0], 1.0), ([2, 0, 0], -2.0), ([0, 0, 0], 1.0)]);
+        let triple = terms(6, &[([6, 0, 0], 1.0), ([4, 0, 0], -2.0), ([2, 0, 0], 1.0)]);
+        for shape in [double, triple] {
+            let slanted = Probe::new(DVec3::new(-5.0, 0.3, 0.1), DVec3::new(1.0, 0.01, 0.02));
+            assert!((slanted.hit(&shape).unwrap().point.x + 1.0).abs() < 1e-7);
+        }
+    }
+}
