@@ -1,5 +1,7 @@
 //! Shapes of the description to primitives.
 
+mod outline;
+
 use std::sync::Arc;
 
 use crate::math::{DMat3, DVec3, Transform};
@@ -14,6 +16,7 @@ use crate::world::shape::plane::Plane;
 use crate::world::shape::poly::Poly;
 use crate::world::shape::polygon::Polygon;
 use crate::world::shape::quadric::Quadric;
+use crate::world::shape::sor::Sor;
 use crate::world::shape::sphere::Sphere;
 use crate::world::shape::superellipsoid::Superellipsoid;
 use crate::world::shape::torus::Torus;
@@ -78,9 +81,9 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::HeightField(_) => return Err("height_field"),
         S::Isosurface(_) => return Err("isosurface"),
         S::JuliaFractal(_) => return Err("julia_fractal"),
-        S::Lathe(_) => return Err("lathe"),
-        S::Prism(_) => return Err("prism"),
-        S::Sor(_) => return Err("sor"),
+        S::Lathe(lathe) => Compiled::rare(outline::lathe(lathe)),
+        S::Prism(prism) => Compiled::rare(outline::prism(prism)),
+        S::Sor(sor) => Compiled::rare(Sor::new(&sor.points, sor.open)),
         S::SphereSweep(_) => return Err("sphere_sweep"),
         &S::Superellipsoid { east, north } => Compiled::rare(Superellipsoid::new(east, north)),
         S::Ovus { .. } => return Err("ovus"),

@@ -3,8 +3,10 @@
 //! Two roots closer than the rounding of the polynomial's value can tell apart count as one, at the
 //! extremum between them: that is what makes a tangent ray one hit.
 
+mod bracket;
 mod polynomial;
 
+pub use bracket::between;
 pub use polynomial::{Roots, roots_between};
 
 /// `a b - c d` with an error below 2 units in the last place (Kahan; Jeannerod et al. 2013).

@@ -2,15 +2,19 @@
 
 pub mod r#box;
 pub mod cone;
+pub mod curve;
 pub mod cylinder;
 pub mod disc;
 pub mod empty;
+pub mod lathe;
 pub mod mesh;
 pub mod plane;
 pub mod poly;
 pub mod polygon;
 pub mod primitive;
+pub mod prism;
 pub mod quadric;
+pub mod sor;
 pub mod sphere;
 pub mod stretch;
 pub mod superellipsoid;

@@ -1,0 +1,189 @@
+//! Piecewise cubic curves in a plane: the outlines of `prism` and the profiles of `lathe`
+//! (docs/spec/primitives.md 6).
+
+use crate::math::DVec2;
+use crate::math::roots::{Roots, between, roots_between};
+
+/// One piece of a curve, over w from 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// Coefficients of 1, w, w², w³.
+    c: [DVec2; 4],
+    /// The last point as given, so that neighbours agree on it to the last bit.
+    end: DVec2,
+    /// What POV-Ray takes for its box: the exact one, or that of a Bézier segment's control points.
+    hull: [DVec2; 2],
+}
+
+impl Segment {
+    fn new(c: [DVec2; 4], end: DVec2) -> Self {
+        let mut segment = Self { c, end, hull: [c[0].min(end), c[0].max(end)] };
+        for coordinate in [|p: DVec2| p.x, |p: DVec2| p.y] {
+            for w in segment.extremes(coordinate).as_slice() {
+                let p = segment.point(*w);
+                segment.hull = [segment.hull[0].min(p), segment.hull[1].max(p)];
+            }
+        }
+        segment
+    }
+
+    /// A straight line.
+    pub fn linear(a: DVec2, b: DVec2) -> Self {
+        Self::new([a, b - a, DVec2::ZERO, DVec2::ZERO], b)
+    }
+
+    /// From `b` to `c`, with `a` before.
+    pub fn quadratic(a: DVec2, b: DVec2, c: DVec2) -> Self {
+        Self::new([b, 0.5 * (c - a), 0.5 * (a - 2.0 * b + c), DVec2::ZERO], c)
+    }
+
+    /// From `b` to `c`, with `a` before and `d` after (Catmull and Rom).
+    pub fn cubic(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Self {
+        let square = a - 2.5 * b + 2.0 * c - 0.5 * d;
+        let cube = 0.5 * (d - a) + 1.5 * (b - c);
+        Self::new([b, 0.5 * (c - a), square, cube], c)
+    }
+
+    /// From `a` to `d`, with the control points `b` and `c`.
+    pub fn bezier(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Self {
+        let segment = Self::new([a, 3.0 * (b - a), 3.0 * (a - 2.0 * b + c), d - a + 3.0 * (b - c)], d);
+        Self { hull: [a.min(b).min(c).min(d), a.max(b).max(c).max(d)], ..segment }
+    }
+
+    /// The point at `w`; exactly the given ones at both ends.
+    pub fn point(&self, w: f64) -> DVec2 {
+        if w == 1.0 { self.end } else { self.c[0] + w * (self.c[1] + w * (self.c[2] + w * self.c[3])) }
+    }
+
+    /// The derivative at `w`.
+    pub fn slope(&self, w: f64) -> DVec2 {
+        self.c[1] + w * (2.0 * self.c[2] + 3.0 * w * self.c[3])
+    }
+
+    /// One coordinate, or any linear function of both, as a polynomial in w.
+    pub fn polynomial(&self, coordinate: impl Fn(DVec2) -> f64) -> [f64; 4] {
+        self.c.map(coordinate)
+    }
+
+    /// The box around.
+    pub fn hull(&self) -> [DVec2; 2] {
+        self.hull
+    }
+
+    /// Where a coordinate turns.
+    fn extremes(&self, coordinate: impl Fn(DVec2) -> f64) -> Roots<3> {
+        let [_, b, c, d] = self.polynomial(coordinate);
+        roots_between(&[b, 2.0 * c, 3.0 * d], 0.0, 1.0)
+    }
+}
+
+/// A stretch of a segment on which y only rises or only falls.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    segment: Segment,
+    /// Both ends: w and y there.
+    ends: [(f64, f64); 2],
+}
+
+/// Segments one after another; several outlines may follow each other.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    segments: Vec<Segment>,
+    pieces: Vec<Piece>,
+    hull: [DVec2; 2],
+}
+
+impl Curve {
+    /// Of these segments; neighbours are joined where one starts with the other's last point.
+    pub fn new(segments: Vec<Segment>) -> Self {
+        let mut pieces = Vec::new();
+        let mut hull = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+        for segment in &segments {
+            hull = [hull[0].min(segment.hull[0]), hull[1].max(segment.hull[1])];
+            let mut start = (0.0, segment.point(0.0).y);
+            let turns = segment.extremes(|p| p.y);
+            let within = turns.as_slice().iter().copied().filter(|w| *w > 0.0 && *w < 1.0);
+            for w in within.chain([1.0]) {
+                let end = (w, segment.point(w).y);
+                pieces.push(Piece { segment: *segment, ends: [start, end] });
+                start = end;
+            }
+        }
+        Self { segments, pieces, hull }
+    }
+
+    /// The segments.
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+
+    /// The box around all.
+    pub fn hull(&self) -> [DVec2; 2] {
+        self.hull
+    }
+
+    /// Whether the curve crosses the line from `p` towards +x an odd number of times. A point where
+    /// stretches join counts for just one of them.
+    pub fn encloses(&self, p: DVec2) -> bool {
+        let crossed = |piece: &&Piece| {
+            let [from, to] = piece.ends;
+            if (from.1 > p.y) == (to.1 > p.y) || piece.segment.hull[1].x <= p.x {
+                return false;
+            }
+            let above = |y: f64| y - p.y;
+            let height = |w: f64| above(piece.segment.point(w).y);
+            piece.segment.hull[0].x > p.x
+                || piece.segment.point(between((from.0, above(from.1)), (to.0, above(to.1)), height)).x > p.x
+        };
+        self.pieces.iter().filter(crossed).count() % 2 == 1
+    }
+}
+
+/// Calls back with every w in 0 … 1 at which `value` changes sign, given `seeds` near which it may,
+/// ascending. What touches zero and returns doesn't count, and a zero at an end counts for one of the
+/// segments that share it, so that crossings stay in pairs.
+pub(super) fn sign_changes(seeds: &[f64], value: impl Fn(f64) -> f64, mut found: impl FnMut(f64)) {
+    let mut from = (0.0, value(0.0));
+    let middles = seeds.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    for w in middles.chain([1.0]) {
+        let to = (w, value(w));
+        if (from.1 > 0.0) != (to.1 > 0.0) {
+            found(between(from, to, &value));
+        }
+        from = to;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn p(x: f64, y: f64) -> DVec2 {
+        DVec2::new(x, y)
+    }
+
+    #[test]
+    fn segments_pass_through_the_points_they_join() {
+        let [a, b, c, d] = [p(-1.0, 0.3), p(0.1, 0.7), p(1.3, 0.2), p(2.0, -1.0)];
+        for (segment, start, end) in [
+            (Segment::linear(a, b), a, b),
+            (Segment::quadratic(a, b, c), b, c),
+            (Segment::cubic(a, b, c, d), b, c),
+            (Segment::bezier(a, b, c, d), a, d),
+        ] {
+            assert_eq!((segment.point(0.0), segment.point(1.0)), (start, end));
+            assert!(segment.point(1.0 - 1e-9).abs_diff_eq(end, 1e-8));
+            let slope = (segment.point(0.5 + 1e-6) - segment.point(0.5 - 1e-6)) / 2e-6;
+            assert!(segment.slope(0.5).abs_diff_eq(slope, 1e-8));
+        }
+    }
+
+    #[test]
+    fn a_corner_at_the_height_of_the_point_counts_once() {
+        let corners = [p(0.0, -1.0), p(1.0, 0.0), p(0.0, 1.0), p(-1.0, 0.0), p(0.0, -1.0)];
+        let square = Curve::new(corners.windows(2).map(|c| Segment::linear(c[0], c[1])).collect());
+        assert!(square.encloses(p(0.5, 0.0)) && square.encloses(p(-0.5, 0.0)));
+        assert!(!square.encloses(p(1.5, 0.0)) && !square.encloses(p(-1.5, 0.0)));
+        assert!(!square.encloses(p(-0.5, 1.0)) && !square.encloses(p(-0.5, -1.0)));
+    }
+}

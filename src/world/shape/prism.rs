@@ -1,0 +1,274 @@
+//! `prism` (docs/spec/primitives.md 6.3).
+
+use super::curve::{Curve, sign_changes};
+use super::stretch::Stretch;
+use super::{Crossing, Shape};
+use crate::math::roots::roots_between;
+use crate::math::{Bounds, DVec2, DVec3};
+use crate::world::{Range, Ray};
+
+/// An outline in x and z, swept along y or, in a conic one, scaled by y.
+///
+/// Parts: 0 the lower end, 1 the upper, then the segments of the outline; [`Crossing::at`] holds the
+/// place on the segment.
+#[derive(Clone, Debug)]
+pub struct Prism {
+    /// Closed outlines, x and z as their x and y.
+    pub outline: Curve,
+    /// Lower and upper end.
+    pub heights: [f64; 2],
+    /// Scaled by y, so that y = 0 is an apex.
+    pub conic: bool,
+    /// Without ends.
+    pub open: bool,
+}
+
+/// Parts before the segments.
+const ENDS: u32 = 2;
+
+fn flat(p: DVec3) -> DVec2 {
+    DVec2::new(p.x, p.z)
+}
+
+impl Prism {
+    /// Where `p` is in the outline's plane.
+    fn place(&self, p: DVec3) -> DVec2 {
+        if self.conic { flat(p) / p.y } else { flat(p) }
+    }
+
+    fn push_walls(&self, ray: &Ray, found: &mut impl FnMut(f64, u32, f64)) {
+        let (o, d) = (ray.origin, ray.direction);
+        // The plane through the ray, along y or through the apex, meets the outline's plane in the line
+        // line.x x + line.z z + line.y = 0.
+        let line = if self.conic { o.cross(d) } else { d.cross(DVec3::Y) };
+        let offset = if self.conic { line.y } else { -line.dot(o) };
+        if line.x == 0.0 && line.z == 0.0 {
+            return;
+        }
+        let side = |p: DVec2| p.dot(flat(line)) + offset;
+        for (part, segment) in (ENDS..).zip(self.outline.segments()) {
+            let [low, high] = segment.hull();
+            let corners = [low, high, DVec2::new(low.x, high.y), DVec2::new(high.x, low.y)].map(side);
+            if corners.iter().all(|s| *s > 0.0) || corners.iter().all(|s| *s < 0.0) {
+                continue;
+            }
+            let mut cubic = segment.polynomial(|p| p.dot(flat(line)));
+            cubic[0] += offset;
+            let seeds = roots_between::<4>(&cubic, 0.0, 1.0);
+            sign_changes(
+                seeds.as_slice(),
+                |w| side(segment.point(w)),
+                |w| {
+                    let on = segment.point(w);
+                    let t = if self.conic {
+                        // Where the ray is parallel to the line from the apex through the outline's point.
+                        let through = DVec3::new(on.x, 1.0, on.y);
+                        let across = d.cross(through);
+                        -o.cross(through).dot(across) / across.length_squared()
+                    } else {
+                        (on - flat(o)).dot(flat(d)) / flat(d).length_squared()
+                    };
+                    found(t, part, w);
+                },
+            );
+        }
+    }
+
+    fn center(&self) -> DVec3 {
+        let bounds = self.bounds();
+        if bounds.is_finite() { bounds.center() } else { DVec3::ZERO }
+    }
+}
+
+impl Shape for Prism {
+    fn bounds(&self) -> Bounds {
+        let [low, high] = self.outline.hull();
+        let at = |y: f64, p: DVec2| {
+            let p = if self.conic { p * y } else { p };
+            DVec3::new(p.x, y, p.y)
+        };
+        let [bottom, top] = self.heights;
+        Bounds::of([at(bottom, low), at(bottom, high), at(top, low), at(top, high)])
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        let from = out.len();
+        let (shift, ray) = ray.moved_to(self.center());
+        let [bottom, top] = self.heights;
+        let Some(slab) = Stretch::slab((bottom, 0), (top, 1), ray.origin.y, ray.direction.y) else {
+            return;
+        };
+        self.push_walls(&ray, &mut |t, part, w| {
+            if slab.enter.t <= t && t <= slab.leave.t && range.contains(t + shift) {
+                out.push(Crossing { t: t + shift, part, at: [w, 0.0] });
+            }
+        });
+        let ends = [slab.enter, slab.leave];
+        for end in ends.into_iter().filter(|end| end.t.is_finite() && !self.open) {
+            let mut point = ray.at(end.t);
+            point.y = self.heights[end.part as usize];
+            let apex = self.conic && point.y == 0.0;
+            if range.contains(end.t + shift) && !apex && self.outline.encloses(self.place(point)) {
+                out.push(Crossing::new(end.t + shift, end.part));
+            }
+        }
+        out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
+    }
+
+    fn inside(&self, point: DVec3) -> bool {
+        let [bottom, top] = self.heights;
+        bottom <= point.y && point.y < top && self.outline.encloses(self.place(point))
+    }
+
+    /// Walls point to the right of the direction in which their outline runs, seen with z upward.
+    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        let Some(segment) = crossing.part.checked_sub(ENDS) else {
+            return if crossing.part == 0 { DVec3::NEG_Y } else { DVec3::Y };
+        };
+        let slope = self.outline.segments()[segment as usize].slope(crossing.at[0]);
+        let across = DVec3::new(slope.y, 0.0, -slope.x);
+        if self.conic && point.y != 0.0 {
+            let tilted = across.with_y(-across.dot(point) / point.y);
+            return if point.y < 0.0 { -tilted } else { tilted };
+        }
+        across
+    }
+
+    fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        let Some(segment) = crossing.part.checked_sub(ENDS) else {
+            return point.with_y(self.heights[crossing.part as usize]);
+        };
+        let on = self.outline.segments()[segment as usize].point(crossing.at[0]);
+        let on = if self.conic { on * point.y } else { on };
+        DVec3::new(on.x, point.y, on.y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::battery::{battery, table};
+    use super::super::curve::Segment;
+    use super::*;
+
+    fn points(all: &[[f64; 2]]) -> Vec<DVec2> {
+        all.iter().map(|p| DVec2::from(*p)).collect()
+    }
+
+    fn linear(heights: [f64; 2], outlines: &[&[[f64; 2]]]) -> Prism {
+        let segments = outlines.iter().flat_map(|outline| {
+            points(outline).windows(2).map(|p| Segment::linear(p[0], p[1])).collect::<Vec<_>>()
+        });
+        Prism { outline: Curve::new(segments.collect()), heights, conic: false, open: false }
+    }
+
+    fn cubic(heights: [f64; 2], all: &[[f64; 2]]) -> Prism {
+        let segments = points(all).windows(4).map(|p| Segment::cubic(p[0], p[1], p[2], p[3])).collect();
+        Prism { outline: Curve::new(segments), heights, conic: false, open: false }
+    }
+
+    const BENT: [[f64; 2]; 7] =
+        [[-0.3, 1.], [0., 0.], [1., -0.2], [1.2, 1.], [0.2, 1.1], [0., 0.], [1., -0.2]];
+    const SLANTED: [[f64; 2]; 5] = [[0., 0.], [2., 0.], [1.5, 1.], [0.2, 1.2], [0., 0.]];
+    const SQUARE: [[f64; 2]; 5] = [[-1., -1.], [1., -1.], [1., 1.], [-1., 1.], [-1., -1.]];
+
+    battery! {
+        polygonal: |size, at| {
+            let corners = SLANTED.map(|[x, z]| [at.x + size * (x - 1.0), at.z + size * (z - 0.5)]);
+            linear([at.y - 0.4 * size, at.y + 0.5 * size], &[&corners])
+        };
+        smooth: |size| cubic([-0.4 * size, 0.5 * size], &BENT.map(|[x, z]| [size * (x - 0.5), size * (z - 0.5)]));
+        cone_like: || Prism { conic: true, ..linear([0.3, 1.0], &[&SQUARE]) };
+    }
+
+    #[test]
+    fn straight_outlines_agree_with_povray() {
+        let slanted = linear([0.2, 1.3], &[&SLANTED]);
+        table(
+            &slanted,
+            "from <0.5,5,0.3> dir <0.01,-1,0.02> | P <0.537, 1.3, 0.374> N <0, 1, 0>
+            from <-5,0.7,0.6> dir <1,0.01,0> | P <0.1, 0.751, 0.6> N <-0.986393923832144, 0, 0.164398987305357>
+            from <0.5,0.7,-5> dir <0,0,1> | P <0.5, 0.7, 0> N <0, 0, -1>
+            from <0.5,1.3,0.3> dir <1,0,0> | P <1.85, 1.3, 0.3> N <0.894427190999916, 0, 0.447213595499958>
+            inside <0.5,0.2,0.3> | 1
+            inside <0.5,1.3,0.3> | 0
+            inside <0.5,1.2999,0.3> | 1
+            inside <0.5,0.7,0> | 1
+            inside <0.5,0.7,1.15> | 1
+            extent | <0, 0.200000002980232, 0> .. <2, 1.300000071525574, 1.200000047683716>",
+        );
+        table(
+            &Prism { open: true, ..slanted },
+            "from <0.5,5,0.3> dir <0,-1,0> | miss
+            from <0.5,5,0.3> dir <0.3,-1,0.1> | P <1.657142857142857, 1.142857142857143, 0.685714285714286> N <0.894427190999916, 0, 0.447213595499958>",
+        );
+        let outer = [[0., 0.], [4., 0.], [4., 4.], [0., 4.], [0., 0.]];
+        let hole = [[1., 1.], [3., 1.], [3., 3.], [1., 3.], [1., 1.]];
+        table(
+            &linear([0.0, 1.0], &[&outer, &hole]),
+            "from <2,5,2> dir <0,-1,0> | miss
+            from <0.5,5,2> dir <0,-1,0> | P <0.5, 1, 2> N <0, 1, 0>
+            from <2,0.5,2> dir <1,0,0> | P <3, 0.5, 2> N <1, 0, 0>
+            inside <2,0.5,2> | 0",
+        );
+    }
+
+    #[test]
+    fn the_lower_end_faces_down() {
+        // POV-Ray has <0, 1, 0>, into the solid.
+        table(
+            &linear([0.2, 1.3], &[&SLANTED]),
+            "from <0.5,-5,0.3> dir <0,1,0> | P <0.5, 0.2, 0.3> N <0, -1, 0>",
+        );
+    }
+
+    #[test]
+    fn splines_agree_with_povray() {
+        let quadratic = [[-0.5, 0.5], [0., 0.], [1., -0.2], [1.2, 1.], [0.2, 1.1], [0., 0.]];
+        let segments = points(&quadratic).windows(3).map(|p| Segment::quadratic(p[0], p[1], p[2])).collect();
+        table(
+            &Prism { outline: Curve::new(segments), heights: [0.0, 1.0], conic: false, open: false },
+            "from <0.5,5,0.5> dir <0,-1,0> | P <0.5, 1, 0.5> N <0, 1, 0>
+            from <0.5,0.5,-5> dir <0,0,1> | P <0.5, 0.5, -0.149242250247064> N <-0.173444746202651, 0, -0.984843601804214>
+            from <5,0.5,0.4> dir <-1,0,0> | P <1.21972604831213, 0.5, 0.4> N <0.997821048527478, 0, -0.065978444324822>
+            extent | <-0.025000000372529, 0, -0.200000002980232> .. <1.225000023841858, 1, 1.192045450210571>",
+        );
+        table(
+            &cubic([0.0, 1.0], &BENT),
+            "from <0.5,0.5,-5> dir <0,0,1> | P <0.5, 0.5, -0.236037577718673> N <-0.230052399914289, 0, -0.973178243331444>
+            from <5,0.5,0.4> dir <-1,0.01,0.02> | P <1.238556622150557, 0.537614433778494, 0.475228867556989> N <0.992509205019141, 0, -0.122169873341476>
+            inside <0.5,0.5,-0.2> | 1
+            extent | <-0.053670763969421, 0, -0.268222987651825> .. <1.253670811653137, 1, 1.199206829071045>",
+        );
+    }
+
+    #[test]
+    fn conic_sweeps_agree_with_povray() {
+        table(
+            &Prism { conic: true, ..linear([0.3, 1.0], &[&SQUARE]) },
+            "from <0.1,0.6,-5> dir <0,0,1> | P <0.1, 0.6, -0.6> N <0, -0.707106781186547, -0.707106781186548>
+            from <0.1,5,0.2> dir <0,-1,0> | P <0.1, 1, 0.2> N <0, 1, 0>
+            inside <0.5,0.4,0> | 0
+            inside <0.5,0.6,0> | 1
+            extent | <-1, 0.300000011920929, -1> .. <1, 1, 1>",
+        );
+        let outline = [[-1., 0.8], [-0.8, -0.8], [1., -1.], [0.9, 1.], [-1., 0.8], [-0.8, -0.8], [1., -1.]];
+        table(
+            &Prism { conic: true, ..cubic([0.0, 1.0], &outline) },
+            "from <0.1,0.6,-5> dir <0,0,1> | P <0.1, 0.6, -0.678608357740245> N <-0.077933880407928, -0.741159632692129, -0.666789853816201>
+            extent | <-1.149214506149292, 0, -1.148402094841003> .. <1.184659481048584, 1, 1.148402094841003>",
+        );
+    }
+
+    #[test]
+    fn a_ray_through_two_corners_is_not_lost() {
+        // POV-Ray has no pixel of this row, and says 0.
+        let hexagon =
+            [[1., 0.], [0.5, 0.875], [-0.5, 0.875], [-1., 0.], [-0.5, -0.875], [0.5, -0.875], [1., 0.]];
+        table(
+            &linear([0.0, 1.0], &[&hexagon]),
+            "from <0.2,5,0> dir <0,-1,0> | P <0.2, 1, 0> N <0, 1, 0>
+            inside <0,0.5,0> | 1
+            inside <0,0.5,1e-12> | 1",
+        );
+    }
+}
