@@ -159,13 +159,14 @@ fn density_file(
     file: &Arc<from::DensityFile>,
     interpolate: u32,
 ) -> Result<Formula, Unsupported> {
-    let voxels = file.size.iter().try_fold(1_usize, |product, side| product.checked_mul(*side));
-    if file.values.is_empty() || voxels != Some(file.values.len()) {
+    let bytes = file.size.iter().try_fold(file.width, |product, side| product.checked_mul(*side));
+    if file.voxels.is_empty() || bytes != Some(file.voxels.len()) || !matches!(file.width, 1 | 2 | 4) {
         return Err(Unsupported::broken(field.span, format!("`{}` has no voxels to show", file.name)));
     }
     Ok(Formula::DensityFile(Box::new(to::density_file::DensityFile {
         size: file.size,
-        values: file.values.as_slice().into(),
+        width: file.width,
+        voxels: file.voxels.as_slice().into(),
         interpolation: match interpolate % 10 {
             0 => Interpolation::Nearest,
             1 => Interpolation::Trilinear,

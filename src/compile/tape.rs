@@ -7,7 +7,7 @@ use super::Unsupported;
 use super::texture::TextureCompiler;
 use crate::scene;
 use crate::scene::function::{BinaryOp, Builtin, Expr};
-use crate::world::function::tape::{Code, Component, Op, Register};
+use crate::world::function::tape::{Code, Op, Register};
 use crate::world::function::{Body, Tape};
 
 /// How deep an expression may go; chains of operators are not deep.
@@ -83,15 +83,8 @@ impl<'w, 'a> Writer<'w, 'a> {
             Expr::Binary(..) => self.chain(expression),
             Expr::Call(Builtin::Select, arguments) => self.select(arguments),
             Expr::Call(builtin, arguments) => self.builtin(*builtin, arguments),
-            Expr::User(function, arguments) => self.call(function, arguments, Component::At(0)),
-            Expr::Component(function, arguments, component) => {
-                let component = match component {
-                    5 => Component::Gray,
-                    6 => Component::Height,
-                    index => Component::At(*index),
-                };
-                self.call(function, arguments, component)
-            }
+            Expr::User(function, arguments) => self.call(function, arguments, 0),
+            Expr::Component(function, arguments, component) => self.call(function, arguments, *component),
             Expr::Sum(parts) => self.repeat(parts, 0.0, Code::Add),
             Expr::Product(parts) => self.repeat(parts, 1.0, Code::Multiply),
         };
@@ -273,7 +266,7 @@ impl<'w, 'a> Writer<'w, 'a> {
         &mut self,
         function: &Arc<scene::Function>,
         arguments: &[Expr],
-        component: Component,
+        component: u8,
     ) -> Result<Register, Unsupported> {
         let function = self.compiler.function(function)?;
         if arguments.len() != function.parameters {

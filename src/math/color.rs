@@ -56,9 +56,11 @@ impl Rgbft {
     }
 }
 
-/// POV-Ray's grey: `0.297 r + 0.589 g + 0.114 b` (docs/spec/shading.md 1).
+/// POV-Ray's grey: `0.297 r + 0.589 g + 0.114 b` (docs/spec/shading.md 1), rounded once: greys stay
+/// what they are.
 pub fn grey(color: Rgb) -> f32 {
-    0.297 * color.x + 0.589 * color.y + 0.114 * color.z
+    let [r, g, b] = color.to_array().map(f64::from);
+    (0.297 * r + 0.589 * g + 0.114 * b) as f32
 }
 
 #[cfg(test)]

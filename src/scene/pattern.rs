@@ -213,8 +213,10 @@ pub struct DensityFile {
     pub name: String,
     /// Voxels along x, y, z.
     pub size: [usize; 3],
-    /// x fastest, in 0 … 1.
-    pub values: Vec<f32>,
+    /// Bytes of a voxel: 1, 2 or 4.
+    pub width: usize,
+    /// The file's own big-endian numbers, x fastest; the largest a voxel can hold stands for 1.
+    pub voxels: Vec<u8>,
 }
 
 /// `mandel`, `julia`, `magnet`.

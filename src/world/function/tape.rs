@@ -44,8 +44,8 @@ pub enum Code {
     Binary(fn(f64, f64) -> f64),
     /// An internal function of the registers from `a` on.
     Internal(Internal),
-    /// A component of a function of the registers from `a` on.
-    Call(Arc<Function>, Component),
+    /// The component with this index of a function of the registers from `a` on.
+    Call(Arc<Function>, u8),
     /// Goes on with this operation.
     Jump(u32),
     /// Goes on with this operation if `a` is less than 0.
@@ -54,27 +54,6 @@ pub enum Code {
     IfZero(u32),
     /// Goes on with this operation if `a` is at most `b`.
     IfUpTo(u32),
-}
-
-/// What is taken from the value of a function.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Component {
-    /// The component with this index.
-    At(u8),
-    /// `gray`.
-    Gray,
-    /// `hf`: 16 bits of height in two bytes.
-    Height,
-}
-
-impl Component {
-    fn of(self, value: &[f64; 5]) -> f64 {
-        match self {
-            Self::At(index) => value.get(usize::from(index)).copied().unwrap_or(0.0),
-            Self::Gray => 0.297 * value[0] + 0.589 * value[1] + 0.114 * value[2],
-            Self::Height => (value[0] + value[1] / 255.0) * 0.996093,
-        }
-    }
 }
 
 /// Registers on the stack in the common and in the rare case.
@@ -151,7 +130,7 @@ impl Tape {
                 Code::Call(function, component) => {
                     let mut value = [0.0; 5];
                     function.call_vector(&r[usize::from(op.a)..][..function.parameters], &mut value);
-                    component.of(&value)
+                    value.get(usize::from(*component)).copied().unwrap_or(0.0)
                 }
                 Code::Jump(target) => {
                     at = *target as usize;

@@ -9,8 +9,10 @@ use crate::math::DVec3;
 pub struct DensityFile {
     /// Voxels along x, y, z; none is 0.
     pub size: [usize; 3],
-    /// x fastest, 0 … 1.
-    pub values: Arc<[f32]>,
+    /// Bytes of a voxel: 1, 2 or 4.
+    pub width: usize,
+    /// Big-endian numbers, x fastest; the largest a voxel can hold stands for 1.
+    pub voxels: Arc<[u8]>,
     /// How to read between voxels.
     pub interpolation: Interpolation,
 }
@@ -45,7 +47,10 @@ impl DensityFile {
     /// A voxel; the block repeats.
     fn voxel(&self, i: usize, j: usize, k: usize) -> f64 {
         let [x, y, z] = self.size;
-        f64::from(self.values[((k % z) * y + j % y) * x + i % x])
+        let at = ((k % z) * y + j % y) * x + i % x;
+        let bytes = &self.voxels[at * self.width..][..self.width];
+        let number = bytes.iter().fold(0_u32, |number, byte| number << 8 | u32::from(*byte));
+        f64::from(number) / f64::from(u32::MAX >> (32 - 8 * self.width))
     }
 
     fn linear(&self, [i, j, k]: [usize; 3], part: DVec3) -> f64 {

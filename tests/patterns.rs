@@ -1,0 +1,228 @@
+//! Patterns, pigments, warps and images against what POV-Ray itself printed: every row of the probe
+//! tables of docs/spec/patterns-textures.md is read as a scene, compiled and evaluated.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use povista::compile::texture::TextureCompiler;
+use povista::diag::Collect;
+use povista::interp::interpret;
+use povista::options::LanguageOptions;
+use povista::scene::function::{Expr, FunctionBody};
+use povista::scene::pigment::PigmentKind;
+use povista::scene::texture::TextureBody;
+use povista::scene::{Function, Pattern, Scene};
+use povista::source::{Library, Source, Sources};
+use povista::world;
+
+/// One table: the text of its first header cell, the other header cells, and its rows.
+struct Table {
+    title: String,
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+fn tables() -> Vec<Table> {
+    let spec = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/spec/patterns-textures.md");
+    let text = fs::read_to_string(spec).unwrap();
+    let cells = |line: &str| -> Vec<String> {
+        line.trim_matches('|').split(" | ").map(|cell| cell.trim().to_owned()).collect()
+    };
+    let mut tables: Vec<Table> = Vec::new();
+    let mut inside = false;
+    for line in text.lines() {
+        match (line.starts_with('|'), inside) {
+            (true, false) => {
+                let mut header = cells(line);
+                tables.push(Table { title: header.remove(0), columns: header, rows: Vec::new() });
+            }
+            (true, true) if !line.starts_with("|---") => tables.last_mut().unwrap().rows.push(cells(line)),
+            _ => {}
+        }
+        inside = line.starts_with('|');
+    }
+    tables
+}
+
+/// The numbers in `<1,2,3>`; what is no number is 0.
+fn point(cell: &str) -> [f64; 3] {
+    let mut numbers = cell.trim_matches(['<', '>']).split(',').map(|n| n.trim().parse().unwrap_or(0.0));
+    std::array::from_fn(|_| numbers.next().unwrap_or(0.0))
+}
+
+fn body(cell: &str) -> &str {
+    cell.trim_matches('`')
+}
+
+/// A folder with the files that the probes name.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let ppm = "P3\n3 2\n255\n10 20 30  200 100 50  0 255 128\n77 88 99  5 250 125  60 60 61\n";
+    fs::write(folder.path().join("probe.ppm"), ppm).unwrap();
+    let samples = [
+        13, 141, 87, 107, 201, 113, 99, 159, 37, 245, 15, 115, 33, 25, 91, 231, 189, 221, 71, 251, 249, 65,
+        211, 175,
+    ];
+    let df3: Vec<u8> = [0, 3, 0, 2, 0, 4].into_iter().chain(samples).collect();
+    fs::write(folder.path().join("probe.df3"), df3).unwrap();
+    folder
+}
+
+fn read(text: &str, folder: &Path) -> Result<Scene, String> {
+    let mut sources = Sources::new(Library { current: folder.to_owned(), ..Library::default() });
+    let main = sources.add(Source::new("probe.pov", folder.join("probe.pov"), text.as_bytes().to_vec()));
+    let mut sink = Collect::default();
+    interpret(main, &mut sources, &LanguageOptions::default(), &mut sink)
+        .ok_or_else(|| sink.diagnostics.iter().map(|d| format!("{} ", d.message)).collect())
+}
+
+/// The function that the scene's only object is painted with, taken out of the sum it stands in.
+fn painted(scene: &Scene) -> Option<Arc<Function>> {
+    let TextureBody::Layered(layers) = &*scene.objects.first()?.texture.as_ref()?.body else { return None };
+    let PigmentKind::Colors { field, .. } = &layers.first()?.pigment.kind else { return None };
+    let Pattern::Function(function) = &field.pattern else { return None };
+    match &function.body {
+        FunctionBody::Expression(Expr::User(inner, _) | Expr::Component(inner, _, _)) => Some(inner.clone()),
+        _ => None,
+    }
+}
+
+/// Compiles `function{BODY}`; `member` is empty or `.red`.
+fn function(body: &str, member: &str, folder: &Path) -> Result<Arc<world::Function>, String> {
+    let text = format!(
+        "#version 3.7; global_settings{{assumed_gamma 1}} #declare F = function{{{body}}} \
+         sphere{{0,1 pigment{{function{{F(x,y,z){member}}}}}}}"
+    );
+    let scene = read(&text, folder)?;
+    let function = painted(&scene).ok_or("the function is not where it should be")?;
+    TextureCompiler::new(&scene.settings).function(&function).map_err(|error| error.to_string())
+}
+
+fn pattern(body: &str, folder: &Path) -> Result<Arc<world::Function>, String> {
+    function(&format!("pattern{{{body}}}"), "", folder)
+}
+
+fn pigment(body: &str, folder: &Path) -> Result<Arc<world::Function>, String> {
+    function(&format!("pigment{{{body}}}"), ".red", folder)
+}
+
+/// Collects what differs, so that one run shows all of it.
+#[derive(Default)]
+struct Report {
+    checked: usize,
+    wrong: String,
+}
+
+impl Report {
+    fn compare(&mut self, what: &str, at: &str, found: f64, expected: &str) {
+        self.checked += 1;
+        let decimals = expected.split_once('.').map_or(0, |(_, digits)| digits.len());
+        let expected: f64 = expected.parse().unwrap();
+        // Half a unit of the last printed digit, and what printing digits of a double costs.
+        let tolerance = 0.51 * 0.1_f64.powi(decimals as i32) + expected.abs() * 4.0 * f64::EPSILON;
+        if !((found - expected).abs() <= tolerance) {
+            writeln!(self.wrong, "`{what}` at {at} is {found}, not {expected}").unwrap();
+        }
+    }
+
+    fn fail(&mut self, what: &str, error: &str) {
+        writeln!(self.wrong, "`{what}`: {error}").unwrap();
+    }
+
+    /// `least` guards against a table that is no longer found.
+    fn end(self, least: usize) {
+        assert!(self.wrong.is_empty(), "{}", self.wrong);
+        assert!(self.checked >= least, "only {} numbers were checked", self.checked);
+    }
+}
+
+#[test]
+fn patterns_have_povrays_values() {
+    let folder = folder();
+    let mut report = Report::default();
+    for table in tables().iter().filter(|table| table.title.starts_with("pattern body")) {
+        for row in &table.rows {
+            match pattern(body(&row[0]), folder.path()) {
+                Ok(function) => {
+                    for (at, expected) in table.columns.iter().zip(&row[1..]) {
+                        report.compare(&row[0], at, function.call(&point(at)), expected);
+                    }
+                }
+                Err(error) => report.fail(&row[0], &error),
+            }
+        }
+    }
+    report.end(250);
+}
+
+#[test]
+fn pigments_have_povrays_colours() {
+    let folder = folder();
+    let mut report = Report::default();
+    for table in tables().iter().filter(|table| table.title.starts_with("pigment body")) {
+        for row in &table.rows {
+            match pigment(body(&row[0]), folder.path()) {
+                Ok(function) => {
+                    let mut color = [0.0; 5];
+                    function.call_vector(&point(&row[1]), &mut color);
+                    for (found, expected) in color.iter().zip(&row[2..]) {
+                        report.compare(&row[0], &row[1], *found, expected);
+                    }
+                }
+                Err(error) => report.fail(&row[0], &error),
+            }
+        }
+    }
+    report.end(180);
+}
+
+#[test]
+fn tilings_and_pavements_have_povrays_values() {
+    let folder = folder();
+    let mut report = Report::default();
+    for table in tables() {
+        let to_body: fn(&str) -> String = match table.title.as_str() {
+            "`tiling` number" => |number| format!("tiling {number}"),
+            title if title.starts_with("sides, tiles") => |numbers| {
+                let names = ["number_of_sides", "number_of_tiles", "pattern", "form", "interior", "exterior"];
+                let parts = names.iter().zip(numbers.split(", ")).map(|(name, n)| format!("{name} {n} "));
+                format!("pavement {}", parts.collect::<String>())
+            },
+            _ => continue,
+        };
+        for row in &table.rows {
+            let body = format!("{} color_map{{[0 rgb 0][1 rgb 1]}}", to_body(&row[0]));
+            match pigment(&body, folder.path()) {
+                Ok(function) => {
+                    for (at, expected) in table.columns.iter().zip(&row[1..]) {
+                        report.compare(&body, at, function.call(&point(at)), expected);
+                    }
+                }
+                Err(error) => report.fail(&body, &error),
+            }
+        }
+    }
+    report.end(141);
+}
+
+#[test]
+fn warps_move_points_as_povrays() {
+    const COORDINATES: [&str; 3] =
+        ["", "matrix <0,1,0,1,0,0,0,0,1,0,0,0>", "matrix <0,0,1,0,1,0,1,0,0,0,0,0>"];
+    let folder = folder();
+    let mut report = Report::default();
+    for table in tables().iter().filter(|table| table.title == "modifiers") {
+        for row in &table.rows {
+            for (coordinate, expected) in COORDINATES.iter().zip(&row[2..]) {
+                let body = format!("marble ramp_wave frequency 0 {coordinate} {}", body(&row[0]));
+                match pattern(&body, folder.path()) {
+                    Ok(function) => report.compare(&body, &row[1], function.call(&point(&row[1])), expected),
+                    Err(error) => report.fail(&body, &error),
+                }
+            }
+        }
+    }
+    report.end(135);
+}
