@@ -1,28 +1,24 @@
 //! Compiles the camera.
 
 use super::Unsupported;
+use super::texture::TextureCompiler;
 use crate::scene;
 use crate::world::Camera;
+use crate::world::camera::focal_blur::Lens;
 use crate::world::camera::{
-    Cylinder, Fisheye, Frame, Omnimax, Orthographic, Panoramic, Perspective, Projection, Spherical,
-    UltraWideAngle,
+    Cylinder, Fisheye, FocalBlur, Frame, Omnimax, Orthographic, Panoramic, Perspective, Projection,
+    Spherical, UltraWideAngle,
 };
 
 /// Field of view in degrees of the wide-angle cameras that were given none.
 const ANGLE: f64 = 90.0;
 
-/// The camera of a world.
-///
-/// # Errors
-/// `mesh_camera`, focal blur and a camera `normal` are not supported yet.
-pub fn camera(camera: &scene::Camera) -> Result<Camera, Unsupported> {
-    let lacking = |feature: &str| Err(Unsupported::new(camera.span, feature));
-    if camera.blur.is_some() {
-        return lacking("focal blur");
-    }
-    if camera.normal.is_some() {
-        return lacking("a camera's `normal`");
-    }
+/// The camera of a world. What can't be compiled goes to `lacking`.
+pub fn camera(
+    camera: &scene::Camera,
+    textures: &mut TextureCompiler,
+    lacking: &mut Vec<Unsupported>,
+) -> Camera {
     let frame =
         Frame { location: camera.location, right: camera.right, up: camera.up, direction: camera.direction };
     let angle = camera.angle.unwrap_or(ANGLE);
@@ -41,7 +37,34 @@ pub fn camera(camera: &scene::Camera) -> Result<Camera, Unsupported> {
         &scene::camera::Projection::Cylinder(kind) => {
             Projection::Cylinder(Cylinder::new(&frame, kind, angle))
         }
-        scene::camera::Projection::Mesh(_) => return lacking("`mesh_camera`"),
+        scene::camera::Projection::Mesh(_) => {
+            lacking.push(Unsupported::new(camera.span, "`mesh_camera`"));
+            Projection::Perspective(Perspective { frame })
+        }
     };
-    Ok(Camera { projection })
+    let normal = camera
+        .normal
+        .as_ref()
+        .and_then(|normal| textures.normal(normal).map_err(|unsupported| lacking.push(unsupported)).ok());
+    let blur = camera.blur.as_ref().map(|written| blur(written, camera, &frame, lacking));
+    Camera { projection, blur, normal }
+}
+
+fn blur(
+    blur: &scene::camera::FocalBlur,
+    camera: &scene::Camera,
+    frame: &Frame,
+    lacking: &mut Vec<Unsupported>,
+) -> FocalBlur {
+    if blur.bokeh.is_some() {
+        lacking.push(Unsupported::new(camera.span, "`bokeh`"));
+    }
+    let lens = Lens {
+        aperture: blur.aperture,
+        distance: camera.focal_distance,
+        samples: [blur.min_samples, blur.max_samples.max(1)],
+        confidence: blur.confidence,
+        variance: blur.variance,
+    };
+    FocalBlur::new(frame, &lens)
 }

@@ -1,5 +1,6 @@
 //! From the description of a scene to the compiled world.
 
+pub mod atmosphere;
 pub mod camera;
 mod csg;
 mod extent;
@@ -13,9 +14,13 @@ mod object;
 pub mod pattern;
 pub mod pigment;
 pub mod probe;
+pub mod settings;
 pub mod shape;
 mod tape;
 pub mod texture;
+mod world;
+
+pub use world::{Compiled, compile};
 
 use std::fmt;
 

@@ -7,7 +7,7 @@ use super::flatten::Flattener;
 use crate::math::{Bounds, DVec3};
 use crate::options::Accelerator;
 use crate::scene::Object;
-use crate::world::{Geometry, Range, Ray, RayKind};
+use crate::world::{Geometry, Inside, Range, Ray, RayKind};
 
 /// An object that can be asked about its geometry, in the space it is written in.
 #[derive(Debug)]
@@ -55,5 +55,11 @@ impl Probe {
     /// The box that `min_extent` and `max_extent` tell of (docs/spec/primitives.md 8).
     pub fn bounds(&self) -> Bounds {
         self.extent
+    }
+}
+
+impl Inside for Probe {
+    fn inside(&self, point: DVec3) -> bool {
+        Probe::inside(self, point)
     }
 }

@@ -35,7 +35,7 @@ pub(super) fn hash(index: i32) -> i32 {
 }
 
 /// The displacement that belongs to a place, each component from -½ to ½.
-pub fn jitter(x: f64, y: f64) -> DVec2 {
+pub(super) fn jitter(x: f64, y: f64) -> DVec2 {
     let component = |a: f64, b: f64| {
         let index = hash(hash(truncate(a)) ^ truncate(b)) & 255;
         f64::from(DISPLACEMENTS[index as usize])

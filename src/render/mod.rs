@@ -1,5 +1,107 @@
 //! From a compiled scene to a picture.
 
+mod direct;
 pub mod film;
-pub mod jitter;
-pub mod sampling;
+mod finish;
+mod jitter;
+mod lens;
+mod mirror;
+mod quality;
+mod random;
+mod refract;
+mod sampling;
+mod shade;
+mod shadow;
+mod stats;
+mod textures;
+mod tiles;
+mod trace;
+
+pub use film::Image;
+pub use stats::Statistics;
+
+use crate::options::{Region, RenderOptions};
+use crate::world::atmosphere::Alpha;
+use crate::world::camera::film;
+use crate::world::{Ray, RayKind, World};
+use quality::Quality;
+use random::Random;
+use refract::Inside;
+use sampling::Sample;
+use trace::{Path, Tracer};
+
+/// Watches a rendering; called from its threads.
+pub trait Progress: Sync {
+    /// `done` of `total` pixels are finished. Calls may arrive out of order.
+    fn advance(&self, done: u64, total: u64);
+}
+
+/// Watches nothing.
+impl Progress for () {
+    fn advance(&self, _done: u64, _total: u64) {}
+}
+
+/// A picture and what it took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rendered {
+    /// The picture, in the scene's working space.
+    pub image: Image,
+    /// What ran.
+    pub statistics: Statistics,
+}
+
+/// Renders a world. The picture doesn't depend on the number of threads.
+pub fn render(world: &World, options: &RenderOptions, progress: &dyn Progress) -> Rendered {
+    let eye = Eye::new(world, options);
+    tiles::render(options, progress, |block| eye.block(block))
+}
+
+/// The camera with what all its rays share.
+struct Eye<'w> {
+    world: &'w World,
+    options: &'w RenderOptions,
+    /// What rays start inside of, where they all start at one point.
+    inside: Option<Inside>,
+}
+
+impl<'w> Eye<'w> {
+    fn new(world: &'w World, options: &'w RenderOptions) -> Self {
+        let eye = world.camera.eye();
+        Self { world, options, inside: eye.map(|point| Inside::of(world.interiors_around(point))) }
+    }
+
+    fn block(&self, block: &Region) -> (Vec<Sample>, Statistics) {
+        let quality = Quality::new(self.options.quality);
+        let alpha = if self.options.output_alpha { Alpha::Stored } else { Alpha::None };
+        let mut tracer = Tracer::new(self.world, quality, alpha);
+        let mut sample = |x: f64, y: f64| self.sample(&mut tracer, x, y);
+        let working = self.world.settings.working_gamma;
+        let pixels = sampling::block(block, self.options.antialias.as_ref(), working, &mut sample);
+        tracer.statistics.pixels += pixels.len() as u64;
+        (pixels, tracer.statistics)
+    }
+
+    /// The colour and transmit at image coordinates.
+    fn sample(&self, tracer: &mut Tracer, x: f64, y: f64) -> Sample {
+        tracer.statistics.samples += 1;
+        let camera = &self.world.camera;
+        if let Some(blur) = &camera.blur {
+            return self.through_lens(tracer, blur, x, y);
+        }
+        match camera.ray(film(x, y, self.options.width, self.options.height)) {
+            Some(ray) => self.seen(tracer, ray, (x, y)),
+            None => [0.0, 0.0, 0.0, 1.0],
+        }
+    }
+
+    /// The colour and transmit along a ray through image coordinates.
+    fn seen(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64)) -> Sample {
+        tracer.statistics.camera_rays += 1;
+        tracer.random = Random::of_sample(x, y);
+        let around = || Inside::of(self.world.interiors_around(ray.origin));
+        let inside = self.inside.clone().unwrap_or_else(around);
+        let seen = tracer.trace(Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, inside });
+        let [r, g, b] = seen.color.to_array();
+        [r, g, b, seen.transmit]
+    }
+}

@@ -11,12 +11,12 @@ use crate::math::gamma::Gamma;
 use crate::options::{Antialias, AntialiasMethod, Region};
 
 /// Red, green, blue and transmit of a sample.
-pub type Sample = [f32; 4];
+pub(super) type Sample = [f32; 4];
 
 /// Colours the pixels of `block`, row by row, from samples at image coordinates.
 ///
 /// `working` is the space of the colours; `None` in old scenes, which have none.
-pub fn block(
+pub(super) fn block(
     block: &Region,
     antialias: Option<&Antialias>,
     working: Option<Gamma>,

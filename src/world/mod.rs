@@ -1,6 +1,7 @@
 //! The compiled scene: immutable, `Sync`, no names, no spans; nothing here fails at render time.
 
 pub mod accel;
+pub mod atmosphere;
 pub mod camera;
 mod csg;
 pub mod extent;
@@ -15,11 +16,13 @@ pub mod pattern;
 pub mod ray;
 pub mod sample;
 mod scratch;
+pub mod settings;
 pub mod shape;
 pub mod surface;
 pub mod texture;
 pub mod warp;
 
+pub use atmosphere::Atmosphere;
 pub use camera::Camera;
 pub use function::Function;
 pub use hit::{Geometry, Hit};
@@ -28,5 +31,38 @@ pub use light::Light;
 pub use object::{Leaf, Member, RayKind};
 pub use ray::{Range, Ray};
 pub use sample::{Colors, Field, Inside, Sample};
+pub use settings::Settings;
 pub use shape::{Crossing, Shape};
 pub use surface::Intersection;
+pub use texture::Texture;
+
+use crate::math::DVec3;
+
+/// Everything a picture is made of.
+#[derive(Debug)]
+pub struct World {
+    /// What rays meet.
+    pub geometry: Geometry,
+    /// Surfaces, by the numbers that leaves have.
+    pub textures: Vec<Texture>,
+    /// Fillings, by the numbers that leaves and objects have.
+    pub interiors: Vec<Interior>,
+    /// Lights in the order of the text.
+    pub lights: Vec<Light>,
+    /// For each light set of a leaf the numbers of its lights.
+    pub light_sets: Vec<Vec<u32>>,
+    /// The eye.
+    pub camera: Camera,
+    /// What is around the objects.
+    pub atmosphere: Atmosphere,
+    /// What holds everywhere.
+    pub settings: Settings,
+}
+
+impl World {
+    /// The numbers of the interiors around a point, in the order of the text.
+    pub fn interiors_around(&self, point: DVec3) -> impl Iterator<Item = u32> {
+        let objects = &self.geometry.parts().objects;
+        self.geometry.containers(point).into_iter().map(|number| objects[number as usize].interior)
+    }
+}

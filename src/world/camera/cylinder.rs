@@ -1,7 +1,7 @@
 //! `cylinder 1` … `cylinder 4`: the film is rolled around an axis of the picture.
 
 use super::{Film, Frame, Projected};
-use crate::math::DVec2;
+use crate::math::{DVec2, DVec3};
 use crate::world::Ray;
 
 /// A cylindrical film, seen from a point or from an axis.
@@ -31,9 +31,9 @@ impl Cylinder {
         }
     }
 
-    /// Whether all rays start at one point.
-    pub fn has_one_origin(&self) -> bool {
-        !self.moving
+    /// Where all rays start, if they start at one point.
+    pub(super) fn eye(&self) -> Option<DVec3> {
+        (!self.moving).then_some(self.frame.location)
     }
 
     /// The ray at an angle around the axis and at a height along it.

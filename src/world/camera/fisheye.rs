@@ -1,7 +1,7 @@
 //! `fisheye`: the angle to the axis grows evenly with the distance from the middle.
 
 use super::{Film, Frame, Projected};
-use crate::math::DVec2;
+use crate::math::{DVec2, DVec3};
 
 /// A disc of picture; its edge is half the angle away from the axis.
 #[derive(Clone, Debug)]
@@ -21,6 +21,11 @@ impl Fisheye {
             scale: 2.0 * DVec2::new(frame.right.length(), frame.up.length()),
             edge: angle.to_radians() / 2.0,
         }
+    }
+
+    /// Where all rays start.
+    pub(super) fn eye(&self) -> DVec3 {
+        self.frame.location
     }
 
     /// The ray of a place on the disc; `None` outside it.

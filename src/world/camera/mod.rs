@@ -3,6 +3,7 @@
 
 pub mod cylinder;
 pub mod fisheye;
+pub mod focal_blur;
 pub mod omnimax;
 pub mod orthographic;
 pub mod panoramic;
@@ -12,6 +13,7 @@ pub mod ultra_wide_angle;
 
 pub use cylinder::Cylinder;
 pub use fisheye::Fisheye;
+pub use focal_blur::FocalBlur;
 pub use omnimax::Omnimax;
 pub use orthographic::Orthographic;
 pub use panoramic::Panoramic;
@@ -19,7 +21,11 @@ pub use perspective::Perspective;
 pub use spherical::Spherical;
 pub use ultra_wide_angle::UltraWideAngle;
 
+use std::sync::Arc;
+
 use super::Ray;
+use super::sample::Sample;
+use super::texture::Normal;
 use crate::math::{DVec2, DVec3};
 
 /// A place on the film: `x` from -½ (left) to ½ (right), `y` from -½ (bottom) to ½ (top).
@@ -37,6 +43,10 @@ pub fn film(x: f64, y: f64, width: u32, height: u32) -> Film {
 pub struct Camera {
     /// How the film becomes rays.
     pub projection: Projection,
+    /// The lens, where pictures are blurred out of focus.
+    pub blur: Option<FocalBlur>,
+    /// Bends the rays.
+    pub normal: Option<Arc<Normal>>,
 }
 
 /// How the film becomes rays.
@@ -109,26 +119,40 @@ impl Projection {
         }
     }
 
-    /// Whether all rays start at one point.
-    pub fn has_one_origin(&self) -> bool {
+    /// Where all rays start; `None` where they don't start at one point.
+    pub fn eye(&self) -> Option<DVec3> {
         match self {
-            Self::Orthographic(_) => false,
-            Self::Cylinder(p) => p.has_one_origin(),
-            _ => true,
+            Self::Orthographic(_) => None,
+            Self::Cylinder(p) => p.eye(),
+            Self::Perspective(Perspective { frame }) | Self::Panoramic(Panoramic { frame }) => {
+                Some(frame.location)
+            }
+            Self::Fisheye(p) => Some(p.eye()),
+            Self::UltraWideAngle(p) => Some(p.eye()),
+            Self::Omnimax(p) => Some(p.eye()),
+            Self::Spherical(p) => Some(p.eye()),
         }
     }
 }
 
 impl Camera {
-    /// The unit ray through a place on the film.
+    /// The unit ray through a place on the film, without the lens.
     pub fn ray(&self, film: Film) -> Option<Ray> {
-        let ray = self.projection.project(film)?.ray;
-        Some(Ray::new(ray.origin, ray.direction.normalize_or_zero()))
+        let Projected { ray, parameters } = self.projection.project(film)?;
+        Some(self.bend(Ray::new(ray.origin, ray.direction.normalize_or_zero()), parameters))
     }
 
-    /// Whether all rays start at one point.
-    pub fn has_one_origin(&self) -> bool {
-        self.projection.has_one_origin()
+    /// A unit ray after the camera's `normal`, which is evaluated at the projection's two parameters
+    /// (docs/spec/camera-image.md 6).
+    pub fn bend(&self, ray: Ray, parameters: DVec2) -> Ray {
+        let Some(normal) = &self.normal else { return ray };
+        let sample = Sample::at(parameters.extend(0.0));
+        Ray::new(ray.origin, normal.bend(&sample, ray.direction).normalize_or_zero())
+    }
+
+    /// Where all rays start; `None` where they don't start at one point.
+    pub fn eye(&self) -> Option<DVec3> {
+        self.projection.eye().filter(|_| self.blur.is_none())
     }
 }
 

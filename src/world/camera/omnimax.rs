@@ -2,7 +2,7 @@
 
 use super::fisheye::polar;
 use super::{Film, Frame, Projected};
-use crate::math::DVec2;
+use crate::math::{DVec2, DVec3};
 
 /// Width to height from which the picture is cut at the top instead of at the sides.
 const WIDEST: f64 = 1.283_458;
@@ -19,6 +19,11 @@ impl Omnimax {
     /// A camera; `angle` doesn't matter to it.
     pub fn new(frame: &Frame) -> Self {
         Self { frame: frame.unit(), aspect: frame.right.length() / frame.up.length() }
+    }
+
+    /// Where all rays start.
+    pub(super) fn eye(&self) -> DVec3 {
+        self.frame.location
     }
 
     /// The ray of a place on the dome; `None` outside its picture.

@@ -18,6 +18,11 @@ impl Spherical {
         Self { frame: *frame, angle: DVec2::new(horizontal.to_radians(), vertical.to_radians()) }
     }
 
+    /// Where all rays start.
+    pub(super) fn eye(&self) -> DVec3 {
+        self.frame.location
+    }
+
     /// The direction turned up about `right`, then around `up`.
     pub fn project(&self, film: Film) -> Projected {
         let parameters = film * self.angle;

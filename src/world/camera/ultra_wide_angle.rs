@@ -1,7 +1,7 @@
 //! `ultra_wide_angle`: like fisheye, on a rectangle.
 
 use super::{Film, Frame, Projected};
-use crate::math::DVec2;
+use crate::math::{DVec2, DVec3};
 
 /// Film coordinates are angles.
 #[derive(Clone, Debug)]
@@ -17,6 +17,11 @@ impl UltraWideAngle {
         let across = angle.to_radians();
         let angle = DVec2::new(across, across * frame.up.length() / frame.right.length());
         Self { frame: frame.unit(), angle }
+    }
+
+    /// Where all rays start.
+    pub(super) fn eye(&self) -> DVec3 {
+        self.frame.location
     }
 
     /// The ray `sin A R + sin B U + cos A cos B D`.

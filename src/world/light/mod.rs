@@ -64,6 +64,8 @@ pub struct Incident {
     pub direction: DVec3,
     /// How far the light is; negative behind a parallel light.
     pub distance: f64,
+    /// The share of the light's colour left by its shape and by the distance.
+    pub attenuation: f32,
     /// What arrives if nothing is in the way.
     pub color: Rgb,
 }
@@ -111,7 +113,8 @@ impl Light {
             Kind::Cylinder(cylinder) => cylinder.attenuation(-way, axis),
         };
         let fading = self.fade.map_or(1.0, |fade| fade.attenuation(distance));
-        Incident { direction, distance, color: self.color * (angular * fading) as f32 }
+        let attenuation = (angular * fading) as f32;
+        Incident { direction, distance, attenuation, color: self.color * attenuation }
     }
 }
 

@@ -1,0 +1,132 @@
+//! Puts a world together.
+
+use std::sync::Arc;
+
+use super::flatten::{Flat, Flattener, InteriorUse, TextureUse};
+use super::object::legacy;
+use super::probe::Probe;
+use super::texture::TextureCompiler;
+use super::{Unsupported, atmosphere, camera, interior, light, settings};
+use crate::math::Transform;
+use crate::options::RenderOptions;
+use crate::scene::{self, Object, Scene};
+use crate::source::Span;
+use crate::world::object::LeafFlags;
+use crate::world::parts::Parts;
+use crate::world::shape::Primitive;
+use crate::world::{Geometry, Inside, Interior, Member, Texture, World};
+
+/// A world, and what of the scene is not in it.
+#[derive(Debug)]
+pub struct Compiled {
+    /// Ready to be rendered.
+    pub world: World,
+    /// Where the object of each leaf's `origin` was written.
+    pub spans: Vec<Span>,
+    /// What had to be left out. Unless that is accepted, the world is not the scene.
+    pub unsupported: Vec<Unsupported>,
+}
+
+/// Compiles a scene.
+pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
+    let mut flattener = Flattener::new(options.accelerator, options.split_unions);
+    for object in &scene.objects {
+        flattener.add(object);
+    }
+    let mut flat = flattener.finish();
+    let mut lacking = std::mem::take(&mut flat.unsupported);
+    lack_of_settings(&scene, &mut lacking);
+    let mut textures = TextureCompiler::new(&scene.settings)
+        .with_quick_colors(options.quality <= 5)
+        .with_objects(&inside_of);
+    let camera = camera::camera(&scene.camera, &mut textures, &mut lacking);
+    let atmosphere = atmosphere::atmosphere(&scene, &mut textures, &mut lacking);
+    let surfaces = surfaces(&flat, &mut textures, &mut lacking);
+    let interiors = interiors(&flat, &mut lacking);
+    let lights =
+        flat.lights.iter().map(|used| light::light(&used.light, &used.transform, used.projected_through));
+    let lights = lights.collect();
+    mark_opaque(&mut flat, &surfaces);
+    let world = World {
+        geometry: Geometry::new(flat.parts, options.accelerator),
+        textures: surfaces,
+        interiors,
+        lights,
+        light_sets: flat.light_sets,
+        camera,
+        atmosphere,
+        settings: settings::settings(&scene.settings),
+    };
+    Compiled { world, spans: flat.spans, unsupported: lacking }
+}
+
+/// Light that travels in ways povista doesn't follow yet.
+fn lack_of_settings(scene: &Scene, lacking: &mut Vec<Unsupported>) {
+    let place = scene.camera.span;
+    if scene.settings.radiosity.is_some() {
+        lacking.push(Unsupported::new(place, "radiosity"));
+    }
+    if scene.settings.photons.is_some() {
+        lacking.push(Unsupported::new(place, "photons"));
+    }
+    if let Some(media) = scene.atmosphere.first() {
+        lacking.push(Unsupported::new(media.span, "media"));
+    }
+}
+
+/// How patterns ask for the inside of an object.
+fn inside_of(object: &Arc<Object>) -> Result<Arc<dyn Inside>, Unsupported> {
+    match Probe::new(object) {
+        Ok(probe) => Ok(Arc::new(probe)),
+        Err(lacking) => Err(lacking
+            .into_iter()
+            .next()
+            .unwrap_or_else(|| Unsupported::new(object.span, "this object in a pattern"))),
+    }
+}
+
+/// The textures by number; what can't be compiled is replaced by POV-Ray's default texture.
+fn surfaces(flat: &Flat, textures: &mut TextureCompiler, lacking: &mut Vec<Unsupported>) -> Vec<Texture> {
+    let identity = Transform::IDENTITY;
+    let compile = |used: &TextureUse| {
+        let outer = used.outer.as_deref().unwrap_or(&identity);
+        textures.texture(&used.texture, outer).or_else(|unsupported| {
+            lacking.push(unsupported);
+            textures.texture(&scene::Texture::default(), outer)
+        })
+    };
+    // The default texture has nothing that could be unsupported.
+    flat.textures.iter().map(compile).filter_map(Result::ok).collect()
+}
+
+/// The interiors by number.
+fn interiors(flat: &Flat, lacking: &mut Vec<Unsupported>) -> Vec<Interior> {
+    let compile = |used: &InteriorUse| {
+        let texture = used.texture.map(|number| &flat.textures[number as usize].texture);
+        let legacy = texture.and_then(legacy);
+        interior::interior(used.interior.as_deref(), legacy, used.hollow, lacking)
+    };
+    flat.interiors.iter().map(compile).collect()
+}
+
+/// Notes which leaves and objects no light passes, so that shadow rays ask no further.
+fn mark_opaque(flat: &mut Flat, textures: &[Texture]) {
+    let opaque = |number: u32| textures[number as usize].is_opaque();
+    for leaf in &mut flat.parts.leaves {
+        let painted = matches!(&leaf.primitive, Primitive::Mesh(mesh) if mesh.is_painted());
+        let all = !painted && leaf.texture.is_some_and(opaque) && leaf.interior_texture.is_none_or(opaque);
+        leaf.flags.set(LeafFlags::OPAQUE, all);
+    }
+    let objects = flat.parts.objects.iter().map(|object| is_opaque(&flat.parts, object.member));
+    let opaque: Vec<bool> = objects.collect();
+    for (object, opaque) in flat.parts.objects.iter_mut().zip(opaque) {
+        object.opaque = opaque;
+    }
+}
+
+fn is_opaque(parts: &Parts, member: Member) -> bool {
+    match member {
+        Member::Leaf(number) => parts.leaf(number).flags.contains(LeafFlags::OPAQUE),
+        Member::Group(number) => parts.group(number).members.iter().all(|&member| is_opaque(parts, member)),
+    }
+}

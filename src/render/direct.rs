@@ -1,0 +1,155 @@
+//! Light that lamps send to a surface (docs/spec/shading.md 8).
+
+use std::ops::Range as Span;
+
+use super::finish::{Surface, iridescence};
+use super::shade::At;
+use super::trace::Tracer;
+use crate::math::{DVec3, Rgb};
+use crate::world::Light;
+use crate::world::light::{AreaLight, Incident, is_dark};
+use crate::world::object::LeafFlags;
+
+/// Cosines to a light below this count as facing away.
+const FACING: f64 = 1e-10;
+
+/// A lamp's light at a hit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Arrival {
+    /// Number of the light.
+    light: u32,
+    /// What arrives if nothing is in the way.
+    incident: Incident,
+    /// What arrives; `None` until somebody asks.
+    unblocked: Option<Rgb>,
+}
+
+impl Tracer<'_> {
+    /// The light a layer sends to the eye from all lamps.
+    pub(super) fn direct(&mut self, at: &mut At, surface: &Surface, position: DVec3) -> Rgb {
+        let finish = surface.finish;
+        let answers =
+            finish.diffuse > 0.0 || finish.diffuse_back > 0.0 || finish.specular > 0.0 || finish.phong > 0.0;
+        if !answers {
+            return Rgb::ZERO;
+        }
+        let mut sum = Rgb::ZERO;
+        for index in self.arrivals(at) {
+            sum += self.lamp(at, index, surface, position);
+        }
+        sum
+    }
+
+    /// The lamps that reach the hit, found once for all its layers.
+    fn arrivals(&mut self, at: &mut At) -> Span<usize> {
+        if let Some(known) = &at.arrivals {
+            return known.clone();
+        }
+        let first = self.arrivals.len();
+        let world = self.world;
+        for &number in &world.light_sets[at.leaf.lights as usize] {
+            let light = &world.lights[number as usize];
+            let mut incident = light.reaching(at.surface.point);
+            if self.illuminating(light).is_some() {
+                // Each place of the grid has its own attenuation.
+                incident.color = light.color;
+            }
+            if incident.is_dark() {
+                self.statistics.lights_dark += 1;
+            } else {
+                self.arrivals.push(Arrival { light: number, incident, unblocked: None });
+            }
+        }
+        let found = first..self.arrivals.len();
+        at.arrivals = Some(found.clone());
+        found
+    }
+
+    /// The light one lamp makes a layer send to the eye.
+    fn lamp(&mut self, at: &At, index: usize, surface: &Surface, position: DVec3) -> Rgb {
+        let Arrival { light: number, mut incident, unblocked } = self.arrivals[index];
+        let light = &self.world.lights[number as usize];
+        let grid = self.illuminating(light);
+        let mut back = false;
+        if grid.is_none() && !self.facing(at, surface, incident.direction) {
+            if surface.finish.diffuse_back <= 0.0 {
+                self.statistics.lights_behind += 1;
+                return Rgb::ZERO;
+            }
+            back = true;
+        }
+        let unblocked = match unblocked {
+            Some(known) => known,
+            None => {
+                let found = self.unblocked(at, light, &incident);
+                self.arrivals[index].unblocked = Some(found);
+                found
+            }
+        };
+        if is_dark(unblocked) {
+            return Rgb::ZERO;
+        }
+        incident.color = unblocked;
+        let answer = match grid {
+            Some(area) => self.illuminate(at, light, area, surface, &incident),
+            None => self.answer(surface, &incident, back, light.shadowless),
+        };
+        match &surface.finish.irid {
+            Some(irid) => {
+                let settings = &self.world.settings;
+                let film = iridescence(
+                    irid,
+                    settings.irid_wavelength,
+                    position,
+                    surface.normal,
+                    incident.direction,
+                    surface.direction,
+                    settings.noise_generator,
+                );
+                answer * film
+            }
+            None => answer,
+        }
+    }
+
+    /// The grid of a light whose places light one by one.
+    fn illuminating<'l>(&self, light: &'l Light) -> Option<&'l AreaLight> {
+        light.area.as_ref().filter(|area| area.area_illumination && self.quality.area_lights)
+    }
+
+    fn facing(&self, at: &At, surface: &Surface, to_light: DVec3) -> bool {
+        at.leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || surface.normal.dot(to_light) >= FACING
+    }
+
+    /// What a layer makes of light from one place.
+    fn answer(&mut self, surface: &Surface, incident: &Incident, back: bool, shadowless: bool) -> Rgb {
+        let grain = if surface.finish.crand > 0.0 { self.random.next() as f32 } else { 0.0 };
+        let diffuse = surface.diffuse(incident, back, grain);
+        if back || shadowless { diffuse } else { diffuse + surface.highlights(incident) }
+    }
+
+    /// `area_illumination`: what a layer makes of the light from every place of the grid.
+    fn illuminate(
+        &mut self,
+        at: &At,
+        light: &Light,
+        area: &AreaLight,
+        surface: &Surface,
+        center: &Incident,
+    ) -> Rgb {
+        let axes = area.axes_towards(center.direction);
+        let [columns, rows] = area.size;
+        let share = center.color / (columns * rows) as f32;
+        let mut sum = Rgb::ZERO;
+        for (v, u) in (0..rows).flat_map(|v| (0..columns).map(move |u| (v, u))) {
+            let offset = area.offset(axes, (u, v), self.grid_shift(area));
+            let mut incident = light.reaching_from_grid(at.surface.point, offset);
+            incident.color = share * incident.attenuation;
+            let facing = self.facing(at, surface, incident.direction);
+            if facing || surface.finish.diffuse_back > 0.0 {
+                sum += self.answer(surface, &incident, !facing, light.shadowless);
+            }
+        }
+        sum
+    }
+}

@@ -1,0 +1,116 @@
+//! How a finish answers light: diffuse, highlights, metallic colour, thin films
+//! (docs/spec/shading.md 9).
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::math::noise::Octaves;
+use crate::math::{DVec3, Rgb};
+use crate::world::light::Incident;
+use crate::world::texture::Finish;
+use crate::world::texture::Irid;
+
+/// Phong highlights this sharp end where the cosine is small.
+const SHARP_PHONG: f32 = 60.0;
+/// The cosine where they end.
+const SHARP_PHONG_END: f64 = 0.0008;
+
+/// A layer about to be lit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Surface<'a> {
+    /// The layer's finish.
+    pub(super) finish: &'a Finish,
+    /// The pigment's colour.
+    pub(super) color: Rgb,
+    /// How much of itself the layer shows, the factor of own light.
+    pub(super) opacity: f32,
+    /// The layer's unit normal, bent by its bumps.
+    pub(super) normal: DVec3,
+    /// Unit direction of the ray that sees it.
+    pub(super) direction: DVec3,
+}
+
+impl Surface<'_> {
+    /// Light scattered towards the eye, from the front or through from the back.
+    pub(super) fn diffuse(&self, incident: &Incident, back: bool, grain: f32) -> Rgb {
+        let share = if back { self.finish.diffuse_back } else { self.finish.diffuse };
+        if share <= 0.0 {
+            return Rgb::ZERO;
+        }
+        let cosine = self.normal.dot(incident.direction).abs();
+        let brilliance = f64::from(self.finish.brilliance);
+        let lobe = if brilliance == 1.0 { cosine } else { cosine.powf(brilliance) };
+        let strength = share * lobe as f32 * self.opacity - self.finish.crand * grain;
+        self.color * incident.color * strength
+    }
+
+    /// The phong and specular highlights.
+    pub(super) fn highlights(&self, incident: &Incident) -> Rgb {
+        let strength = self.phong(incident.direction) + self.specular(incident.direction);
+        if strength == 0.0 {
+            return Rgb::ZERO;
+        }
+        let tint = match self.finish.metallic {
+            0.0 => Rgb::ONE,
+            amount => metallic(amount, self.color, self.normal.dot(incident.direction)),
+        };
+        incident.color * tint * strength as f32
+    }
+
+    fn phong(&self, to_light: DVec3) -> f64 {
+        if self.finish.phong <= 0.0 {
+            return 0.0;
+        }
+        let cosine = self.direction.reflect(self.normal).dot(to_light);
+        let size = self.finish.phong_size;
+        let visible = cosine > 0.0 && (size < SHARP_PHONG || cosine > SHARP_PHONG_END);
+        if visible { f64::from(self.finish.phong) * cosine.powf(f64::from(size)) } else { 0.0 }
+    }
+
+    fn specular(&self, to_light: DVec3) -> f64 {
+        if self.finish.specular <= 0.0 {
+            return 0.0;
+        }
+        let half = to_light - self.direction;
+        let cosine = half.dot(self.normal) / half.length();
+        if cosine > 0.0 {
+            f64::from(self.finish.specular) * cosine.powf(f64::from(self.finish.specular_exponent))
+        } else {
+            0.0
+        }
+    }
+}
+
+/// How much a colour tints what a metal reflects at `cosine` to the normal.
+pub(super) fn metallic(amount: f32, color: Rgb, cosine: f64) -> Rgb {
+    let x = cosine.clamp(-1.0, 1.0).acos().abs() / FRAC_PI_2;
+    let fresnel = (0.014567225 / (x - 1.12).powi(2) - 0.011612903).clamp(0.0, 1.0);
+    Rgb::ONE + (color - Rgb::ONE) * (amount * (1.0 - fresnel as f32))
+}
+
+/// The factor of a thin film on light from a direction.
+///
+/// `position` is the hit point, `eye` the unit direction of the ray, `wavelengths` those of
+/// `irid_wavelength`.
+pub(super) fn iridescence(
+    irid: &Irid,
+    wavelengths: Rgb,
+    position: DVec3,
+    normal: DVec3,
+    to_light: DVec3,
+    eye: DVec3,
+    noise_generator: u8,
+) -> Rgb {
+    let film = f64::from(irid.thickness) * film_turbulence(irid, position, noise_generator);
+    let way = film * (normal.dot(to_light).abs() + normal.dot(eye).abs());
+    let wave = |wavelength: f32| (TAU * way / f64::from(wavelength)).cos() as f32;
+    let waves = Rgb::new(wave(wavelengths.x), wave(wavelengths.y), wave(wavelengths.z));
+    Rgb::ONE + waves * irid.amount
+}
+
+fn film_turbulence(irid: &Irid, position: DVec3, noise_generator: u8) -> f64 {
+    if irid.turbulence == 0.0 {
+        return 1.0;
+    }
+    let octaves = Octaves { count: 5, omega: 0.5, lambda: 2.0 };
+    1.0 + f64::from(irid.turbulence) * (2.0 * octaves.scalar(noise_generator, position) - 1.0)
+}

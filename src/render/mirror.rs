@@ -1,0 +1,109 @@
+//! Reflection: how much, and where to (docs/spec/shading.md 14).
+
+use super::finish::metallic;
+use crate::math::{DVec3, Rgb};
+use crate::world::texture::Reflection;
+
+/// Share of light reflected, and the share that counts against `adc_bailout`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Reflectivity {
+    /// Per channel.
+    pub(super) color: Rgb,
+    /// The greatest share the finish could have asked for.
+    pub(super) weight: f32,
+}
+
+/// How much of the light from the mirrored direction is seen.
+///
+/// `cosine` is that between the normal and the way back to the eye; `index` the refractive index of
+/// the other side over this side's; `color` the pigment's.
+pub(super) fn reflectivity(reflection: &Reflection, cosine: f64, index: f64, color: Rgb) -> Reflectivity {
+    let Reflection { min, max, .. } = *reflection;
+    let share = if reflection.fresnel {
+        fresnel(index, cosine) as f32
+    } else {
+        (1.0 - cosine).max(0.0).powf(f64::from(reflection.falloff)) as f32
+    };
+    let plain = max * share + min * (1.0 - share);
+    let weight =
+        if reflection.fresnel { plain.max_element() } else { min.max_element().max(max.max_element()) };
+    let tint = match reflection.metallic {
+        0.0 => Rgb::ONE,
+        amount => metallic(amount, color, cosine),
+    };
+    Reflectivity { color: plain * tint, weight }
+}
+
+/// Fresnel's share of unpolarised light; 1 beyond the critical angle.
+fn fresnel(index: f64, cosine: f64) -> f64 {
+    let square = index * index + cosine * cosine - 1.0;
+    if square <= 0.0 {
+        return 1.0;
+    }
+    let g = square.sqrt();
+    let (sum, difference) = (g + cosine, g - cosine);
+    let ratio = difference / sum;
+    let parallel = (cosine * sum - 1.0) / (cosine * difference + 1.0);
+    (0.5 * ratio * ratio * (1.0 + parallel * parallel)).clamp(0.0, 1.0)
+}
+
+/// The unit direction in which a surface with the bent normal `normal` mirrors `direction`.
+///
+/// `raw` is the unbent normal, facing the ray: no reflection goes into the surface.
+pub(super) fn mirrored(direction: DVec3, normal: DVec3, raw: DVec3) -> DVec3 {
+    let reflected = direction.reflect(normal);
+    let reflected = if reflected.dot(raw) >= 0.0 {
+        reflected
+    } else if reflected.dot(normal) < 0.0 {
+        direction.reflect(raw)
+    } else {
+        reflected.reflect(raw)
+    };
+    reflected.normalize_or_zero()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows of docs/spec/shading.md 14: a 45 degree mirror under a sky `rgb <.2,.6,.9>`.
+    #[test]
+    fn reflectivity_depends_on_the_angle_as_the_probes_show() {
+        let cosine = 0.5f64.sqrt();
+        let plain = |min: f32, max: f32| Reflection {
+            min: Rgb::splat(min),
+            max: Rgb::splat(max),
+            fresnel: false,
+            falloff: 1.0,
+            exponent: 1.0,
+            metallic: 0.0,
+        };
+        let (between, half) = (plain(0.1, 0.9), plain(0.5, 0.5));
+        let glass = Reflection { fresnel: true, ..plain(0.0, 1.0) };
+        let tinted = Rgb::new(0.8, 0.4, 0.2);
+        let rows = [
+            (between.clone(), [0.06687, 0.20060, 0.30088]),
+            (Reflection { falloff: 3.0, ..between }, [0.02402, 0.07205, 0.10809]),
+            (glass, [0.01004, 0.03014, 0.04521]),
+            (Reflection { metallic: 1.0, ..half.clone() }, [0.08052, 0.12473, 0.09946]),
+            (Reflection { metallic: 0.5, ..half }, [0.09026, 0.21236, 0.27472]),
+        ];
+        for (reflection, observed) in rows {
+            let share = reflectivity(&reflection, cosine, 1.5, tinted).color;
+            let ours = share * Rgb::new(0.2, 0.6, 0.9);
+            assert!(ours.abs_diff_eq(Rgb::from_array(observed), 3e-5), "{reflection:?}: {ours}");
+        }
+    }
+
+    #[test]
+    fn bent_normals_never_reflect_into_the_surface() {
+        let raw = -DVec3::Z;
+        for degrees in -80..=80 {
+            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+            let normal = DVec3::new(sin, 0.0, -cos);
+            for direction in [DVec3::Z, DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.8, 0.0, 0.6)] {
+                assert!(mirrored(direction, normal, raw).dot(raw) >= -1e-12, "{degrees}, {direction}");
+            }
+        }
+    }
+}

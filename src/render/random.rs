@@ -1,0 +1,43 @@
+//! Randomness that belongs to a sample, not to a thread.
+
+/// A sequence of numbers that depends only on where the sample is.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Random {
+    state: u64,
+}
+
+impl Random {
+    /// The sequence of the sample at image coordinates (x, y).
+    pub(super) fn of_sample(x: f64, y: f64) -> Self {
+        Self { state: scramble(scramble(x.to_bits()) ^ y.to_bits()) }
+    }
+
+    /// The next number, uniform in [0, 1).
+    pub(super) fn next(&mut self) -> f64 {
+        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        (scramble(self.state) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// The finalizer of SplitMix64: every input bit changes every output bit.
+fn scramble(mut bits: u64) -> u64 {
+    bits = (bits ^ bits >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    bits = (bits ^ bits >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+    bits ^ bits >> 31
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_uniform_over_neighbouring_samples() {
+        let mut slots = [0; 10];
+        for x in 0..100 {
+            for y in 0..100 {
+                slots[(Random::of_sample(f64::from(x), f64::from(y)).next() * 10.0) as usize] += 1;
+            }
+        }
+        assert!(slots.iter().all(|&count| (900..1100).contains(&count)), "{slots:?}");
+    }
+}

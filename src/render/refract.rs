@@ -1,0 +1,149 @@
+//! What a ray is inside of, and how surfaces bend it (docs/spec/shading.md 10 and 11).
+
+use smallvec::SmallVec;
+
+use crate::math::DVec3;
+use crate::world::Interior;
+use crate::world::interior::AIR;
+
+/// Ratios nearer to 1 than this don't bend.
+const STRAIGHT: f64 = 1e-10;
+
+/// The interiors a ray has entered and not left, by number, in the order of entry.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Inside(SmallVec<[u32; 6]>);
+
+/// What happens to a ray that goes through a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Passage {
+    /// Refractive index of what is left over that of what is entered.
+    pub(super) ratio: f64,
+    /// The same quotient of the dispersions.
+    pub(super) dispersion: f64,
+    /// Where the ray is then.
+    pub(super) inside: Inside,
+}
+
+impl Passage {
+    /// Whether the ray goes on as it came.
+    pub(super) fn is_straight(&self) -> bool {
+        (self.ratio - 1.0).abs() < STRAIGHT && (self.dispersion - 1.0).abs() < STRAIGHT
+    }
+}
+
+impl Inside {
+    /// A ray that starts inside of these.
+    pub(super) fn of(interiors: impl IntoIterator<Item = u32>) -> Self {
+        Self(interiors.into_iter().collect())
+    }
+
+    /// Whether the ray is inside of `interior`.
+    pub(super) fn contains(&self, interior: u32) -> bool {
+        self.0.contains(&interior)
+    }
+
+    /// Whether nothing is around the ray that keeps fog away.
+    pub(super) fn is_hollow(&self, interiors: &[Interior]) -> bool {
+        self.0.iter().all(|&i| interiors[i as usize].hollow)
+    }
+
+    /// Leaves `interior` if it had been entered, enters it otherwise.
+    pub(super) fn toggle(&mut self, interior: u32) {
+        match self.0.iter().position(|&i| i == interior) {
+            Some(index) => {
+                self.0.remove(index);
+            }
+            None => self.0.push(interior),
+        }
+    }
+
+    /// Goes through a surface of `interior`.
+    pub(super) fn pass(&self, interior: u32, interiors: &[Interior]) -> Passage {
+        let mut inside = self.clone();
+        inside.toggle(interior);
+        let media = |number: Option<&u32>| match number {
+            Some(&number) => (interiors[number as usize].ior, interiors[number as usize].dispersion),
+            None => (AIR, 1.0),
+        };
+        let (left, entered) = if self.contains(interior) {
+            if self.0.last() != Some(&interior) {
+                // An overlap is left: what was entered last goes on around the ray.
+                return Passage { ratio: 1.0, dispersion: 1.0, inside };
+            }
+            (media(Some(&interior)), media(inside.0.last()))
+        } else {
+            (media(self.0.last()), media(Some(&interior)))
+        };
+        Passage { ratio: left.0 / entered.0, dispersion: left.1 / entered.1, inside }
+    }
+
+    /// The refractive index beyond a surface of `interior` over that on this side, by the rule of
+    /// Fresnel reflection: leaving a nested body counts as no change.
+    pub(super) fn fresnel_index(&self, interior: u32, interiors: &[Interior]) -> f64 {
+        let ior = interiors[interior as usize].ior;
+        match (self.0.last(), self.contains(interior)) {
+            (None, _) => ior / AIR,
+            (Some(_), true) if self.0.len() == 1 => AIR / ior,
+            (Some(&last), true) => interiors[last as usize].ior / ior,
+            (Some(&last), false) => ior / interiors[last as usize].ior,
+        }
+    }
+}
+
+/// The direction behind a surface; `None` where light is totally reflected.
+///
+/// `normal` is unit, on either side; `ratio` as in [`Passage::ratio`].
+pub(super) fn refracted(direction: DVec3, normal: DVec3, ratio: f64) -> Option<DVec3> {
+    let facing = if normal.dot(direction) > 0.0 { -normal } else { normal };
+    let cosine = -facing.dot(direction);
+    let square = 1.0 + ratio * ratio * (cosine * cosine - 1.0);
+    (square >= 0.0).then(|| ratio * direction + (ratio * cosine - square.sqrt()) * facing)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn glass(ior: f64) -> Interior {
+        Interior { ior, ..Interior::default() }
+    }
+
+    /// Rows of docs/spec/shading.md 10: a 45 degree surface met along z.
+    #[test]
+    fn rays_bend_towards_the_normal_of_denser_media() {
+        let out = DVec3::new(1.0, 0.0, -1.0).normalize();
+        let entering = refracted(DVec3::Z, out, 1.0 / 1.5).unwrap();
+        assert!(entering.abs_diff_eq(DVec3::new(-0.2903, 0.0, 0.9569), 1e-4));
+        let leaving = refracted(DVec3::Z, DVec3::new(-1.0, 0.0, 1.0).normalize(), 1.2).unwrap();
+        assert!(leaving.abs_diff_eq(DVec3::new(0.2258, 0.0, 0.9742), 1e-4));
+        assert_eq!(refracted(DVec3::Z, out, 1.5), None);
+    }
+
+    #[test]
+    fn nested_bodies_refract_against_what_surrounds_them() {
+        let interiors = [glass(1.5), glass(1.2)];
+        let outer = Inside::default().pass(0, &interiors);
+        assert_eq!(outer.ratio, 1.0 / 1.5);
+        let inner = outer.inside.pass(1, &interiors);
+        assert_eq!(inner.ratio, 1.5 / 1.2);
+        let back = inner.inside.pass(1, &interiors);
+        assert_eq!((back.ratio, &back.inside), (1.2 / 1.5, &outer.inside));
+    }
+
+    #[test]
+    fn leaving_an_overlap_goes_straight() {
+        let interiors = [glass(1.5), glass(1.2)];
+        let passage = Inside::of([0, 1]).pass(0, &interiors);
+        assert!(passage.is_straight());
+        assert_eq!(passage.inside, Inside::of([1]));
+    }
+
+    #[test]
+    fn fresnel_reflection_ignores_the_way_out_of_a_nested_body() {
+        let interiors = [glass(1.5), glass(1.2)];
+        assert_eq!(Inside::default().fresnel_index(0, &interiors), 1.5);
+        assert_eq!(Inside::of([0]).fresnel_index(0, &interiors), 1.0 / 1.5);
+        assert_eq!(Inside::of([0]).fresnel_index(1, &interiors), 1.2 / 1.5);
+        assert_eq!(Inside::of([0, 1]).fresnel_index(1, &interiors), 1.0);
+    }
+}

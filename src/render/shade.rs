@@ -1,0 +1,279 @@
+//! The colour of a surface: layers, what shines through, what is mirrored
+//! (docs/spec/shading.md 6, 7, 10 and 14).
+
+use std::ops::Range as Span;
+
+use super::finish::{Surface, iridescence};
+use super::mirror::{self, Reflectivity};
+use super::refract::{self, Inside, Passage};
+use super::textures;
+use super::trace::{Path, Seen, Tracer};
+use crate::math::color::grey;
+use crate::math::{DVec3, Rgb, Rgbft};
+use crate::world::hit::Hit;
+use crate::world::object::Leaf;
+use crate::world::sample::Sample;
+use crate::world::texture::{Finish, Irid, Layer};
+use crate::world::{Intersection, Ray, RayKind};
+
+/// A surface being shaded.
+#[derive(Debug)]
+pub(super) struct At<'a> {
+    /// The ray that met it.
+    pub(super) path: &'a Path,
+    /// Where.
+    pub(super) surface: Intersection,
+    /// What.
+    pub(super) leaf: &'a Leaf,
+    /// What the filling takes of light that came through it to the surface.
+    attenuation: Rgb,
+    /// What happens to light that goes through; `None` until something does.
+    passage: Option<Passage>,
+    /// The lamps' light, by index into the tracer's list; `None` until a layer asks.
+    pub(super) arrivals: Option<Span<usize>>,
+}
+
+/// What a ray sees of a surface, and where it goes on straight.
+#[derive(Debug)]
+pub(super) struct Shaded {
+    /// Light from the surface, mirrors and bent rays.
+    pub(super) color: Rgb,
+    /// Transparency behind bent rays.
+    pub(super) transmit: f32,
+    /// The straight way on.
+    pub(super) onward: Option<Onward>,
+}
+
+/// The straight continuation of a ray.
+#[derive(Debug)]
+pub(super) struct Onward {
+    pub(super) ray: Ray,
+    pub(super) weight: f32,
+    pub(super) inside: Inside,
+    /// What the surface leaves of the light behind it.
+    pub(super) left: Rgb,
+    /// What it leaves of the transparency behind it.
+    pub(super) clear: f32,
+}
+
+/// The reflection of a layer, traced after all layers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mirror {
+    normal: DVec3,
+    share: Rgb,
+    weight: f32,
+    exponent: f32,
+    irid: Option<Irid>,
+}
+
+/// What shines through the members of a blend.
+#[derive(Default)]
+struct Sum {
+    color: Rgb,
+    transmit: f32,
+    left: Rgb,
+    clear: f32,
+    weight: f32,
+}
+
+/// The layers of one plain texture, from the top down.
+struct Stack {
+    color: Rgb,
+    /// What the layers so far let through.
+    through: Rgb,
+    /// Its grey.
+    share: f32,
+    /// The topmost layer's normal.
+    top: Option<DVec3>,
+}
+
+impl Tracer<'_> {
+    /// Shades the surface a ray met.
+    pub(super) fn shade(&mut self, path: &Path, hit: &Hit) -> Shaded {
+        let world = self.world;
+        let surface = world.geometry.surface(&path.ray, hit);
+        let leaf = world.geometry.parts().leaf(hit.leaf);
+        let interior = &world.interiors[leaf.interior as usize];
+        let fade = interior.fade.filter(|_| path.inside.contains(leaf.interior));
+        let fading = fade.map_or(Rgb::ONE, |fade| fade.attenuation(hit.t));
+        let attenuation = fading * interior.refraction;
+        let mut at = At { path, surface, leaf, attenuation, passage: None, arrivals: None };
+        let mut sum = Sum::default();
+        textures::resolve(world, &path.ray, hit, &surface, &mut |weight, layers, sample| {
+            self.statistics.texture_evaluations += 1;
+            self.texture(&mut at, weight, layers, sample, &mut sum);
+        });
+        if let Some(arrivals) = at.arrivals {
+            self.arrivals.truncate(arrivals.start);
+        }
+        let onward = at.passage.filter(|_| sum.weight > 0.0).map(|passage| Onward {
+            ray: Ray::new(surface.leave(path.ray.direction), path.ray.direction),
+            weight: sum.weight,
+            inside: passage.inside,
+            left: sum.left,
+            clear: sum.clear,
+        });
+        Shaded { color: sum.color, transmit: sum.transmit, onward }
+    }
+
+    /// Shades one plain texture, a member of a blend with the share `blend`.
+    fn texture(&mut self, at: &mut At, blend: f32, layers: &[Layer], sample: &mut Sample, sum: &mut Sum) {
+        let bailout = self.world.settings.adc_bailout;
+        let first_mirror = self.mirrors.len();
+        let mut stack = Stack { color: Rgb::ZERO, through: Rgb::ONE, share: 1.0, top: None };
+        for layer in layers.iter().rev() {
+            if stack.share <= bailout {
+                break;
+            }
+            self.layer(at, layer, sample, &mut stack);
+        }
+        let mut suppressed = None;
+        if self.quality.transmission && stack.share > bailout {
+            suppressed = self.behind(at, blend, &stack, sum);
+        }
+        sum.color += blend * stack.color;
+        for index in first_mirror..self.mirrors.len() {
+            let mirror = self.mirrors[index];
+            if suppressed.is_none_or(|top| !mirror.normal.abs_diff_eq(top, 1e-10)) {
+                sum.color += blend * self.reflection(at, &mirror);
+            }
+        }
+        self.mirrors.truncate(first_mirror);
+    }
+
+    /// Adds the light of a layer to those above it.
+    fn layer(&mut self, at: &mut At, layer: &Layer, sample: &mut Sample, stack: &mut Stack) {
+        let finish: &Finish = &layer.finish;
+        let direction = at.path.ray.direction;
+        let normal = if self.quality.reflection { layer.bend(sample) } else { sample.normal };
+        stack.top.get_or_insert(normal);
+        let given = layer.pigment.color(sample);
+        let color = given.unwrap_or(Rgbft::new([1.0, 1.0, 1.0, 0.0, 1.0]));
+        if self.quality.flat {
+            // The lowest layer that is looked at shows its plain colour.
+            stack.color = color.rgb;
+        } else {
+            let opacity = self.opacity(&color);
+            let own = finish.ambient * self.world.settings.ambient_light + finish.emission;
+            let surface = Surface { finish, color: color.rgb, opacity, normal, direction };
+            let direct = self.direct(at, &surface, sample.position);
+            stack.color += stack.through * (color.rgb * own * opacity + direct);
+        }
+        let reflectivity = self.reflectivity(at, finish, normal, color.rgb);
+        if let (Some(reflection), Some(reflectivity)) = (&finish.reflection, reflectivity) {
+            self.mirrors.push(Mirror {
+                normal,
+                share: reflectivity.color,
+                weight: at.path.weight * stack.share * reflectivity.weight,
+                exponent: reflection.exponent.recip(),
+                irid: finish.irid,
+            });
+        }
+        if given.is_some() {
+            stack.through *= color.through();
+        }
+        if let Some(reflectivity) = reflectivity.filter(|_| finish.conserve_energy && given.is_some()) {
+            stack.through *= (Rgb::ONE - reflectivity.color).min(Rgb::ONE);
+        }
+        stack.share = grey(stack.through).abs().min(1.0);
+    }
+
+    /// How much of its own light a layer shows (docs/spec/shading.md 7).
+    fn opacity(&self, color: &Rgbft) -> f32 {
+        if self.world.settings.version >= 370 {
+            color.opacity()
+        } else {
+            1.0 - (color.filter * color.rgb.max_element() + color.transmit)
+        }
+    }
+
+    fn reflectivity(&self, at: &At, finish: &Finish, normal: DVec3, color: Rgb) -> Option<Reflectivity> {
+        let reflection = finish.reflection.as_ref().filter(|_| self.quality.reflection)?;
+        let interior = at.leaf.interior;
+        let index = if reflection.fresnel {
+            at.path.inside.fresnel_index(interior, &self.world.interiors)
+        } else {
+            1.0
+        };
+        let cosine = -at.path.ray.direction.dot(normal);
+        Some(mirror::reflectivity(reflection, cosine, index, color))
+    }
+
+    /// Adds what is seen through a texture; straight ways are only noted, for one ray serves all
+    /// members of a blend. The top layer's normal comes back where light is totally reflected.
+    fn behind(&mut self, at: &mut At, blend: f32, stack: &Stack, sum: &mut Sum) -> Option<DVec3> {
+        let world = self.world;
+        let passage =
+            at.passage.get_or_insert_with(|| at.path.inside.pass(at.leaf.interior, &world.interiors));
+        let weight = at.path.weight * stack.through.abs().max_element();
+        let left = at.attenuation * stack.through * blend;
+        let clear = grey(at.attenuation) * stack.share * blend;
+        if passage.is_straight() {
+            sum.left += left;
+            sum.clear += clear;
+            sum.weight = sum.weight.max(weight);
+            return None;
+        }
+        let normal = stack.top.unwrap_or(at.surface.normal);
+        match refract::refracted(at.path.ray.direction, normal, passage.ratio) {
+            Some(direction) => {
+                self.statistics.refracted_rays += 1;
+                let seen = self.trace(Path {
+                    ray: Ray::new(at.surface.leave(direction), direction),
+                    level: at.path.level,
+                    weight,
+                    kind: at.path.kind,
+                    inside: passage.inside.clone(),
+                });
+                sum.color += left * seen.color;
+                sum.transmit += clear * seen.transmit;
+                None
+            }
+            None => {
+                let direction = mirror::mirrored(at.path.ray.direction, normal, at.surface.normal);
+                sum.color += blend * at.attenuation * self.mirrored(at, direction, weight).color;
+                Some(normal)
+            }
+        }
+    }
+
+    /// What a layer mirrors.
+    fn reflection(&mut self, at: &At, mirror: &Mirror) -> Rgb {
+        if mirror.share == Rgb::ZERO {
+            return Rgb::ZERO;
+        }
+        let direction = mirror::mirrored(at.path.ray.direction, mirror.normal, at.surface.normal);
+        let mut color = self.mirrored(at, direction, mirror.weight).color;
+        if let Some(irid) = &mirror.irid {
+            let settings = &self.world.settings;
+            color *= iridescence(
+                irid,
+                settings.irid_wavelength,
+                at.surface.point,
+                mirror.normal,
+                direction,
+                at.path.ray.direction,
+                settings.noise_generator,
+            );
+        }
+        if mirror.exponent != 1.0 {
+            color = color.powf(mirror.exponent);
+        }
+        mirror.share * color
+    }
+
+    fn mirrored(&mut self, at: &At, direction: DVec3, weight: f32) -> Seen {
+        if weight < self.world.settings.adc_bailout {
+            self.statistics.bailed_out += 1;
+            return Seen::NOTHING;
+        }
+        self.statistics.reflected_rays += 1;
+        self.trace(Path {
+            ray: Ray::new(at.surface.leave(direction), direction),
+            level: at.path.level,
+            weight,
+            kind: RayKind::REFLECTION,
+            inside: at.path.inside.clone(),
+        })
+    }
+}

@@ -1,0 +1,183 @@
+//! What of a lamp's light comes through to a surface (docs/spec/shading.md 15 and 17).
+
+use super::refract::Inside;
+use super::shade::At;
+use super::textures;
+use super::trace::Tracer;
+use crate::math::{DVec2, DVec3, Rgb};
+use crate::world::hit::Hit;
+use crate::world::light::{AreaLight, Incident, is_dark};
+use crate::world::{Light, Range, Ray};
+
+/// Difference between corners of an area light's grid above which the part between is refined.
+const UNEVEN: f32 = 0.1;
+
+/// A rectangle of an area light's grid, by the indices of its corners.
+#[derive(Clone, Copy)]
+struct Part {
+    u: [u32; 2],
+    v: [u32; 2],
+}
+
+/// An area light as one hit sees it.
+struct Grid<'a> {
+    light: &'a Light,
+    area: &'a AreaLight,
+    axes: [DVec3; 2],
+    center: Incident,
+}
+
+impl Tracer<'_> {
+    /// The light that arrives from `light`, given what would arrive if nothing were in the way.
+    pub(super) fn unblocked(&mut self, at: &At, light: &Light, incident: &Incident) -> Rgb {
+        if !self.quality.shadows || (light.shadowless && light.projected_through.is_none()) {
+            self.statistics.lights_shadowless += 1;
+            return incident.color;
+        }
+        match &light.area {
+            Some(area) if self.quality.area_lights => {
+                self.grid.clear();
+                self.grid.resize((area.size[0] * area.size[1]) as usize, None);
+                let axes = area.axes_towards(incident.direction);
+                let grid = Grid { light, area, axes, center: *incident };
+                let whole = Part { u: [0, area.size[0] - 1], v: [0, area.size[1] - 1] };
+                self.part(at, &grid, whole, 0)
+            }
+            _ => self.shadow_ray(at, light, incident),
+        }
+    }
+
+    /// The mean light from a part of an area light.
+    fn part(&mut self, at: &At, grid: &Grid, part: Part, level: u32) -> Rgb {
+        let Part { u, v } = part;
+        let corners =
+            [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])].map(|place| self.place(at, grid, place));
+        let coarse = u[1] - u[0] > 1 || v[1] - v[0] > 1;
+        let unlike = |a: usize, b: usize| (corners[a] - corners[b]).abs().element_sum() > UNEVEN;
+        let uneven = || unlike(0, 1) || unlike(2, 3) || unlike(0, 2) || unlike(1, 3);
+        let values = if coarse && (level < grid.area.adaptive || uneven()) {
+            let low = |[a, b]: [u32; 2]| [a, (a + b) / 2];
+            let high = |[a, b]: [u32; 2]| [(a + b).div_ceil(2), b];
+            [(low(u), low(v)), (high(u), low(v)), (low(u), high(v)), (high(u), high(v))]
+                .map(|(u, v)| self.part(at, grid, Part { u, v }, level + 1))
+        } else {
+            corners
+        };
+        values.into_iter().sum::<Rgb>() / 4.0
+    }
+
+    /// The light from one place of the grid, traced once for each hit.
+    fn place(&mut self, at: &At, grid: &Grid, (u, v): (u32, u32)) -> Rgb {
+        let index = (v * grid.area.size[0] + u) as usize;
+        if let Some(known) = self.grid[index] {
+            return known;
+        }
+        let offset = grid.area.offset(grid.axes, (u, v), self.grid_shift(grid.area));
+        let mut incident = grid.light.reaching_from_grid(at.surface.point, offset);
+        incident.color = grid.center.color;
+        let color = self.shadow_ray(at, grid.light, &incident);
+        self.grid[index] = Some(color);
+        color
+    }
+
+    /// How far a light of a grid is moved, in cells.
+    pub(super) fn grid_shift(&mut self, area: &AreaLight) -> DVec2 {
+        if area.jitter { DVec2::new(self.random.next() - 0.5, self.random.next() - 0.5) } else { DVec2::ZERO }
+    }
+
+    /// Follows a straight ray towards a light.
+    fn shadow_ray(&mut self, at: &At, light: &Light, incident: &Incident) -> Rgb {
+        let ray = Ray::new(at.surface.leave(incident.direction), incident.direction);
+        let mut range = Range { min: 0.0, max: incident.distance - at.surface.error };
+        if let Some(object) = light.projected_through {
+            match self.world.geometry.object_distance(object, &ray, range) {
+                Some(distance) => range.max = distance,
+                None => return Rgb::ZERO,
+            }
+            if light.shadowless {
+                return incident.color;
+            }
+        }
+        self.statistics.shadow_rays += 1;
+        let mut occluders = std::mem::take(&mut self.occluders);
+        let color = if self.world.geometry.occluders(&ray, range, &mut occluders) {
+            Rgb::ZERO
+        } else {
+            self.filtered(at, light, incident.color, &ray, range.max, &occluders)
+        };
+        self.occluders = occluders;
+        color
+    }
+
+    /// Light after the transparent surfaces in its way and the air between them.
+    fn filtered(
+        &mut self,
+        at: &At,
+        light: &Light,
+        mut color: Rgb,
+        ray: &Ray,
+        distance: f64,
+        occluders: &[Hit],
+    ) -> Rgb {
+        let foggy = self.quality.atmosphere
+            && light.media_attenuation
+            && light.media_interaction
+            && !self.world.atmosphere.is_clear();
+        if occluders.is_empty() && !foggy {
+            return color;
+        }
+        let mut inside = at.path.inside.clone();
+        let mut start = 0.0;
+        for hit in occluders {
+            let length = hit.t - start;
+            color *= self.surface_filter(ray, hit, length, &inside);
+            if is_dark(color) {
+                return Rgb::ZERO;
+            }
+            if foggy {
+                color *= self.air(&inside, ray, start, length);
+            }
+            inside.toggle(self.world.geometry.parts().leaf(hit.leaf).interior);
+            start = hit.t;
+        }
+        if foggy { color * self.air(&inside, ray, start, distance - start) } else { color }
+    }
+
+    /// What fog leaves of light over a stretch of a shadow ray.
+    fn air(&self, inside: &Inside, ray: &Ray, start: f64, length: f64) -> Rgb {
+        if inside.is_hollow(&self.world.interiors) {
+            let ray = Ray::new(ray.at(start), ray.direction);
+            self.world.atmosphere.fog_factor(&ray, length)
+        } else {
+            Rgb::ONE
+        }
+    }
+
+    /// What a transparent surface lets through, after `length` of the way to it.
+    fn surface_filter(&mut self, ray: &Ray, hit: &Hit, length: f64, inside: &Inside) -> Rgb {
+        self.statistics.shadow_textures += 1;
+        let world = self.world;
+        let surface = world.geometry.surface(ray, hit);
+        let leaf = world.geometry.parts().leaf(hit.leaf);
+        let interior = &world.interiors[leaf.interior as usize];
+        let bumpy = self.quality.reflection;
+        let mut filter = Rgb::ZERO;
+        textures::resolve(world, ray, hit, &surface, &mut |weight, layers, sample| {
+            let mut through = Rgb::ONE;
+            for layer in layers {
+                if let Some(color) = layer.pigment.color(sample) {
+                    through *= color.through();
+                }
+                if interior.caustics != 0.0 {
+                    let normal = if bumpy { layer.bend(sample) } else { sample.normal };
+                    through *= interior.focus(normal.dot(ray.direction));
+                }
+            }
+            filter += through * weight;
+        });
+        match &interior.fade {
+            Some(fade) if inside.contains(leaf.interior) => filter * fade.shadow_attenuation(length),
+            _ => filter,
+        }
+    }
+}

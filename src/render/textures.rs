@@ -1,0 +1,87 @@
+//! Which textures show at a hit (docs/spec/shading.md 6).
+
+use smallvec::SmallVec;
+
+use crate::math::DVec3;
+use crate::world::hit::Hit;
+use crate::world::object::LeafFlags;
+use crate::world::sample::Sample;
+use crate::world::shape::Shape;
+use crate::world::texture::Layer;
+use crate::world::{Intersection, Leaf, Member, Ray, World};
+
+/// Textures that show together, by number, with their shares.
+type Shares = SmallVec<[(u32, f32); 4]>;
+
+/// Calls `shade` with the layers of every plain texture at a hit of `ray`, and its share.
+pub(super) fn resolve(
+    world: &World,
+    ray: &Ray,
+    hit: &Hit,
+    surface: &Intersection,
+    shade: &mut dyn FnMut(f32, &[Layer], &mut Sample),
+) {
+    let leaf = world.geometry.parts().leaf(hit.leaf);
+    let uv = world.geometry.uv(hit, surface.point);
+    let sample = Sample::on_surface(surface.point, surface.normal, ray.direction, uv);
+    let sample = if leaf.flags.contains(LeafFlags::UV_MAPPING) { sample.uv_mapped() } else { sample };
+    let bailout = world.settings.adc_bailout;
+    for (number, share) in shares(world, leaf, hit, surface) {
+        if share >= bailout {
+            let texture = &world.textures[number as usize];
+            texture.resolve(&sample, &mut |weight, layers, sample| shade(share * weight, layers, sample));
+        }
+    }
+}
+
+/// The textures of a leaf at a hit.
+fn shares(world: &World, leaf: &Leaf, hit: &Hit, surface: &Intersection) -> Shares {
+    let mut shares = Shares::new();
+    leaf.primitive.textures(surface.point, &hit.crossing, &mut |number, share| {
+        shares.push((leaf.own_textures + number, share as f32));
+    });
+    if !shares.is_empty() {
+        return shares;
+    }
+    let inner = leaf.interior_texture.filter(|_| surface.inside);
+    match inner.or(leaf.texture) {
+        Some(number) => shares.push((number, 1.0)),
+        None => cutaway(world, leaf, hit, surface.point, &mut shares),
+    }
+    let even = 1.0 / shares.len().max(1) as f32;
+    shares.iter_mut().for_each(|(_, share)| *share = even);
+    shares
+}
+
+/// The textures of the solids that a texture-less member of a compound cuts.
+fn cutaway(world: &World, leaf: &Leaf, hit: &Hit, point: DVec3, found: &mut Shares) {
+    let parts = world.geometry.parts();
+    let mut cutter = Member::Leaf(hit.leaf);
+    let mut around = leaf.parent;
+    while let (true, Some(number)) = (found.is_empty(), around) {
+        let group = parts.group(number);
+        // What is cut out of a difference is its first member.
+        let cut = if group.difference { &group.members[..1] } else { &group.members[..] };
+        for &member in cut.iter().filter(|&&member| member != cutter) {
+            textures_around(world, member, point, found);
+        }
+        cutter = Member::Group(number);
+        around = group.parent;
+    }
+}
+
+/// The textures of the leaves of `member` that contain a point.
+fn textures_around(world: &World, member: Member, point: DVec3, found: &mut Shares) {
+    let parts = world.geometry.parts();
+    if !parts.inside(member, point) {
+        return;
+    }
+    match member {
+        Member::Leaf(number) => found.extend(parts.leaf(number).texture.map(|texture| (texture, 1.0))),
+        Member::Group(number) => {
+            for &member in &parts.group(number).members {
+                textures_around(world, member, point, found);
+            }
+        }
+    }
+}

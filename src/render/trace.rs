@@ -1,0 +1,140 @@
+//! What a ray sees: surfaces one behind the other as far as it goes straight, then the sky
+//! (docs/spec/shading.md 4).
+
+use super::quality::Quality;
+use super::random::Random;
+use super::refract::Inside;
+use super::shade::Mirror;
+use super::stats::Statistics;
+use crate::math::Rgb;
+use crate::world::atmosphere::{Alpha, FAR, Veil};
+use crate::world::hit::Hit;
+use crate::world::{Range, Ray, RayKind, World};
+
+/// A ray and what it brings along.
+#[derive(Clone, Debug)]
+pub(super) struct Path {
+    /// Where it goes; unit direction.
+    pub(super) ray: Ray,
+    /// Bends and mirrors before it.
+    pub(super) level: u32,
+    /// The most it can add to the pixel.
+    pub(super) weight: f32,
+    /// From the camera, or by way of a mirror.
+    pub(super) kind: RayKind,
+    /// What it is inside of.
+    pub(super) inside: Inside,
+}
+
+/// What a ray sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Seen {
+    /// Colour, multiplied by its opacity.
+    pub(super) color: Rgb,
+    /// Transparency of the picture there.
+    pub(super) transmit: f32,
+}
+
+impl Seen {
+    /// What a ray sees that isn't traced.
+    pub(super) const NOTHING: Self = Self { color: Rgb::ZERO, transmit: 0.0 };
+}
+
+/// Follows rays; one for each thread.
+#[derive(Debug)]
+pub(super) struct Tracer<'w> {
+    pub(super) world: &'w World,
+    pub(super) quality: Quality,
+    /// Whether the picture has an alpha channel.
+    pub(super) alpha: Alpha,
+    pub(super) statistics: Statistics,
+    pub(super) random: Random,
+    /// Lights of the hits being shaded, those of the innermost last.
+    pub(super) arrivals: Vec<super::direct::Arrival>,
+    /// Reflections of the layers being shaded, those of the innermost last.
+    pub(super) mirrors: Vec<Mirror>,
+    /// Transparent surfaces on the way of the shadow ray at hand.
+    pub(super) occluders: Vec<Hit>,
+    /// Shadow colours on the grid of the area light at hand.
+    pub(super) grid: Vec<Option<Rgb>>,
+}
+
+impl<'w> Tracer<'w> {
+    /// A tracer without any history.
+    pub(super) fn new(world: &'w World, quality: Quality, alpha: Alpha) -> Self {
+        Self {
+            world,
+            quality,
+            alpha,
+            statistics: Statistics::default(),
+            random: Random::default(),
+            arrivals: Vec::new(),
+            mirrors: Vec::new(),
+            occluders: Vec::new(),
+            grid: Vec::new(),
+        }
+    }
+
+    /// Traces a ray to its end. The tree of bent and mirrored rays is as deep as `max_trace_level`;
+    /// straight transmission uses up no level, so it is a loop.
+    pub(super) fn trace(&mut self, mut path: Path) -> Seen {
+        let (mut color, mut transmit) = (Rgb::ZERO, 0.0);
+        // What the way so far leaves of the light and of the transparency behind.
+        let (mut left, mut clear) = (Rgb::ONE, 1.0);
+        if !self.allowed(&path) {
+            return Seen::NOTHING;
+        }
+        path.level += 1;
+        loop {
+            let hit = self.world.geometry.hit(&path.ray, Range::AHEAD, path.kind);
+            let veil = self.veil(&path, hit.map_or(FAR, |hit| hit.t));
+            color += left * veil.added;
+            left *= veil.factor;
+            clear *= veil.transmit;
+            let Some(hit) = hit else {
+                let sky = self.sky(&path);
+                color += left * sky.color;
+                transmit += clear * sky.transmit;
+                break;
+            };
+            let shaded = self.shade(&path, &hit);
+            color += left * shaded.color;
+            transmit += clear * shaded.transmit;
+            let Some(onward) = shaded.onward else { break };
+            self.statistics.transmitted_rays += 1;
+            left *= onward.left;
+            clear *= onward.clear;
+            path.ray = onward.ray;
+            path.weight = onward.weight;
+            path.inside = onward.inside;
+            if !self.allowed(&path) {
+                break;
+            }
+        }
+        Seen { color, transmit }
+    }
+
+    /// Whether a ray is neither too deep nor too faint.
+    fn allowed(&mut self, path: &Path) -> bool {
+        let settings = &self.world.settings;
+        let (deep, faint) = (path.level >= settings.max_trace_level, path.weight < settings.adc_bailout);
+        self.statistics.too_deep += u64::from(deep);
+        self.statistics.bailed_out += u64::from(faint && !deep);
+        !deep && !faint
+    }
+
+    /// Fog and rainbows over a stretch of a ray.
+    fn veil(&self, path: &Path, distance: f64) -> Veil {
+        let atmosphere = &self.world.atmosphere;
+        let applies =
+            self.quality.atmosphere && !atmosphere.is_clear() && path.inside.is_hollow(&self.world.interiors);
+        if applies { atmosphere.veil(&path.ray, distance) } else { Veil::NONE }
+    }
+
+    fn sky(&mut self, path: &Path) -> Seen {
+        self.statistics.sky_evaluations += 1;
+        let (direction, eye) = (path.ray.direction, path.kind == RayKind::IMAGE);
+        let sky = self.world.atmosphere.sky(direction, self.alpha, eye, self.world.settings.version);
+        Seen { color: sky.color, transmit: sky.transmit }
+    }
+}

@@ -1,0 +1,317 @@
+//! Focal blur: many rays through a lens, the same for every rendering
+//! (docs/spec/camera-image.md 8).
+
+use std::f64::consts::{PI, TAU};
+
+use super::Frame;
+use crate::math::DVec2;
+use crate::world::Ray;
+
+/// A lens and when enough rays went through it.
+#[derive(Clone, Debug)]
+pub struct FocalBlur {
+    frame: Frame,
+    /// Half the aperture: the lens' extent along the camera's axes.
+    radius: f64,
+    /// Distance in focus over the length of the camera's direction.
+    focus: f64,
+    /// Places on the lens, each coordinate from -½ to ½, in the order they are used.
+    places: Vec<DVec2>,
+    /// How far a ray may leave its place.
+    spread: f64,
+    /// Rays traced before the variance is looked at, again and again.
+    batches: &'static [u32],
+    /// The least number of rays.
+    min_samples: u32,
+    /// For each number of rays the variance below which they are enough.
+    thresholds: Vec<f64>,
+}
+
+/// What a lens is made from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// `aperture`.
+    pub aperture: f64,
+    /// Distance in focus.
+    pub distance: f64,
+    /// Least and most rays, the latter at least 1.
+    pub samples: [u32; 2],
+    /// In (0, 1).
+    pub confidence: f64,
+    /// Variance below which sampling stops.
+    pub variance: f64,
+}
+
+impl FocalBlur {
+    /// The lens of a camera.
+    pub fn new(frame: &Frame, lens: &Lens) -> Self {
+        let most = lens.samples[1];
+        let grid = Grid::of(most);
+        Self {
+            frame: *frame,
+            radius: lens.aperture / 2.0,
+            focus: lens.distance / frame.direction.length(),
+            places: places(grid, most as usize),
+            spread: match most {
+                7 => 0.144_338,
+                19 => 0.096_225,
+                37 => 0.072_168_8,
+                _ => 0.5 / f64::from(most).sqrt(),
+            },
+            batches: grid.batches,
+            min_samples: lens.samples[0],
+            thresholds: thresholds(most, lens.confidence, lens.variance),
+        }
+    }
+
+    /// The ray of sample `index` for the pinhole direction `direction`, not normalised; `shift` moves
+    /// it on the lens, each component from -½ to ½. Wherever the projection's rays start, those of a
+    /// lens start at the eye.
+    pub fn ray(&self, direction: crate::math::DVec3, index: usize, shift: DVec2) -> Ray {
+        let Frame { location, up, direction: axis, .. } = self.frame;
+        let across = up.cross(axis).normalize_or_zero();
+        let upward = axis.cross(across).normalize_or_zero();
+        let place = self.radius * (self.places[index] + 2.0 * self.spread * shift);
+        let offset = place.x * across - place.y * upward;
+        Ray::new(location + offset, (direction * self.focus - offset).normalize_or_zero())
+    }
+
+    /// The most rays a pixel gets.
+    pub fn max_samples(&self) -> usize {
+        self.places.len()
+    }
+
+    /// How many rays batch `index` adds, before the cut at the most.
+    pub fn batch(&self, index: usize) -> usize {
+        self.batches.get(index).copied().unwrap_or(4) as usize
+    }
+
+    /// Whether `count` rays with these variances of their mean are enough.
+    pub fn is_enough(&self, count: usize, variances: [f64; 4]) -> bool {
+        count >= self.min_samples as usize
+            && variances.iter().all(|&variance| variance < self.thresholds[count - 1])
+    }
+}
+
+/// A regular arrangement of places, and the batches it is used in.
+#[derive(Clone, Copy)]
+struct Grid {
+    places: &'static [(f64, f64)],
+    batches: &'static [u32],
+}
+
+impl Grid {
+    /// The largest with at most `count` places, but at least four.
+    fn of(count: u32) -> Self {
+        match count {
+            0..7 => Self { places: &SQUARE, batches: &[] },
+            7..19 => Self { places: &HEXAGON_7, batches: &[7] },
+            19..37 => Self { places: &HEXAGON_19, batches: &[7, 6, 6] },
+            37.. => Self { places: &HEXAGON_37, batches: &[7, 6, 6, 4, 4, 4, 4, 2] },
+        }
+    }
+}
+
+const SQUARE: [(f64, f64); 4] = [(-0.25, 0.25), (0.25, 0.25), (-0.25, -0.25), (0.25, -0.25)];
+
+const HEXAGON_7: [(f64, f64); 7] = [
+    (-0.288675, 0.0),
+    (0.0, 0.0),
+    (0.288675, 0.0),
+    (-0.144338, 0.25),
+    (-0.144338, -0.25),
+    (0.144338, 0.25),
+    (0.144338, -0.25),
+];
+
+const HEXAGON_19: [(f64, f64); 19] = [
+    (-0.19245, 0.333333),
+    (-0.19245, -0.333333),
+    (0.19245, 0.333333),
+    (0.19245, -0.333333),
+    (0.3849, 0.0),
+    (-0.3849, 0.0),
+    (0.0, 0.0),
+    (0.0, 0.333333),
+    (0.0, -0.333333),
+    (-0.288675, 0.166667),
+    (-0.288675, -0.166667),
+    (0.288675, 0.166667),
+    (0.288675, -0.166667),
+    (-0.096225, 0.166667),
+    (-0.096225, -0.166667),
+    (0.096225, 0.166667),
+    (0.096225, -0.166667),
+    (-0.19245, 0.0),
+    (0.19245, 0.0),
+];
+
+const HEXAGON_37: [(f64, f64); 37] = [
+    (0.0, 0.0),
+    (-0.216506, 0.375),
+    (0.216506, -0.375),
+    (-0.216506, -0.375),
+    (0.216506, 0.375),
+    (-0.433013, 0.0),
+    (0.433013, 0.0),
+    (-0.144338, 0.25),
+    (0.144338, -0.25),
+    (-0.144338, -0.25),
+    (0.144338, 0.25),
+    (-0.288675, 0.0),
+    (0.288675, 0.0),
+    (-0.072169, 0.125),
+    (0.072169, -0.125),
+    (-0.072169, -0.125),
+    (0.072169, 0.125),
+    (-0.144338, 0.0),
+    (0.144338, 0.0),
+    (-0.360844, 0.125),
+    (-0.360844, -0.125),
+    (0.360844, 0.125),
+    (0.360844, -0.125),
+    (-0.288675, 0.25),
+    (-0.288675, -0.25),
+    (0.288675, 0.25),
+    (0.288675, -0.25),
+    (-0.072169, 0.375),
+    (-0.072169, -0.375),
+    (0.072169, 0.375),
+    (0.072169, -0.375),
+    (-0.216506, 0.125),
+    (-0.216506, -0.125),
+    (0.216506, 0.125),
+    (0.216506, -0.125),
+    (0.0, 0.25),
+    (0.0, -0.25),
+];
+
+/// `count` places: those of the grid, then some of a low-discrepancy disc that keep their distance
+/// (docs/spec/camera-image.md 8.2).
+fn places(grid: Grid, count: usize) -> Vec<DVec2> {
+    let mut places: Vec<DVec2> = grid.places.iter().take(count).map(|&(x, y)| DVec2::new(x, y)).collect();
+    let cells = 2 * (count as f64 / PI).sqrt().ceil() as usize + 1;
+    let cell = |place: DVec2| {
+        let index = |x: f64| (((x + 0.5) * cells as f64) as usize).min(cells - 1);
+        index(place.y) * cells + index(place.x)
+    };
+    let mut taken = vec![false; cells * cells];
+    for &place in &places {
+        taken[cell(place)] = true;
+    }
+    let mut budget = 10 * count;
+    let mut candidates = (1..).map(|k| {
+        let radius = (radical_inverse(k, 2) / 4.0).sqrt();
+        DVec2::from_angle(TAU * radical_inverse(k, 3)) * radius
+    });
+    while let (true, Some(mut place)) = (places.len() < count, candidates.next()) {
+        budget -= 1;
+        while budget > count - places.len() && (taken[cell(place)] || place.length_squared() > 0.25) {
+            let Some(next) = candidates.next() else { break };
+            place = next;
+            budget -= 1;
+        }
+        taken[cell(place)] = true;
+        places.push(place);
+    }
+    places
+}
+
+/// The digits of `n` mirrored at the point.
+fn radical_inverse(mut n: u64, base: u64) -> f64 {
+    let (mut value, mut digit) = (0.0, 1.0 / base as f64);
+    while n > 0 {
+        value += (n % base) as f64 * digit;
+        digit /= base as f64;
+        n /= base;
+    }
+    value
+}
+
+/// For 1 … `most` rays the variance of their mean that is small enough: the fewer rays, the smaller
+/// (docs/spec/camera-image.md 8.4).
+fn thresholds(most: u32, confidence: f64, variance: f64) -> Vec<f64> {
+    if most <= 1 {
+        return vec![0.0];
+    }
+    let last = chi_square(f64::from(most - 1), confidence);
+    (1..=most).map(|count| variance * chi_square(f64::from(count), confidence) / last).collect()
+}
+
+/// The value that a chi-square variable exceeds with probability `confidence`, halved.
+fn chi_square(freedom: f64, confidence: f64) -> f64 {
+    let shape = freedom / 2.0;
+    let spread = 2.0 / (9.0 * freedom);
+    let mut x = shape * (1.0 - spread - normal_quantile(confidence) * spread.sqrt()).powi(3);
+    for _ in 0..10 {
+        if x <= 0.0 {
+            return 0.0;
+        }
+        let density = ((shape - 1.0) * x.ln() - x - ln_gamma(shape)).exp();
+        let step = (lower_gamma(shape, x) - (1.0 - confidence)) / density;
+        x -= step;
+        if step.abs() < 1e-10 * x.abs() {
+            break;
+        }
+    }
+    x.max(0.0)
+}
+
+/// The regularised lower incomplete gamma function, by its power series.
+fn lower_gamma(shape: f64, x: f64) -> f64 {
+    let mut term = 1.0 / shape;
+    let mut sum = term;
+    let mut n = shape;
+    while term > sum * 1e-15 {
+        n += 1.0;
+        term *= x / n;
+        sum += term;
+    }
+    sum * (shape * x.ln() - x - ln_gamma(shape)).exp()
+}
+
+/// The logarithm of the gamma function for positive `x`, by Stirling's series.
+fn ln_gamma(x: f64) -> f64 {
+    if x < 12.0 {
+        return ln_gamma(x + 1.0) - x.ln();
+    }
+    let series = 1.0 / (12.0 * x) - 1.0 / (360.0 * x.powi(3)) + 1.0 / (1260.0 * x.powi(5));
+    (x - 0.5) * x.ln() - x + 0.5 * TAU.ln() + series
+}
+
+/// The value a standard normal variable stays below with probability `p`, by bisection.
+fn normal_quantile(p: f64) -> f64 {
+    let below = |z: f64| {
+        let half = 0.5 * lower_gamma(0.5, z * z / 2.0);
+        if z < 0.0 { 0.5 - half } else { 0.5 + half }
+    };
+    let (mut low, mut high) = (-9.0, 9.0);
+    for _ in 0..60 {
+        let middle = (low + high) / 2.0;
+        if below(middle) < p { low = middle } else { high = middle }
+    }
+    (low + high) / 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chi_square_quantiles_are_those_of_the_tables() {
+        // 90 % exceed: 0.01579 with 1, 4.865 with 10, 46.459 with 60 degrees of freedom.
+        for (freedom, expected) in [(1.0, 0.015_791), (10.0, 4.865_18), (60.0, 46.458_9)] {
+            let ours = 2.0 * chi_square(freedom, 0.9);
+            assert!((ours - expected).abs() < 1e-4 * expected, "{freedom}: {ours}");
+        }
+    }
+
+    #[test]
+    fn every_count_of_places_fits_the_lens() {
+        for count in [1, 4, 5, 7, 10, 19, 30, 37, 60, 200] {
+            let places = places(Grid::of(count), count as usize);
+            assert_eq!(places.len(), count as usize);
+            assert!(places.iter().all(|place| place.length() <= 0.5), "{count}");
+        }
+    }
+}
