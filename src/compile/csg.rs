@@ -19,8 +19,9 @@ impl Flattener {
         while let Some((child, around)) = waiting.pop() {
             match &child.shape {
                 Shape::Csg(nested) if self.melts(operation, nested, child, &around) => {
-                    let own = self.own(child, &around);
-                    waiting.extend(children(nested, child, &own));
+                    // Melted compounds don't nest.
+                    let melted = Inherited { depth: own.depth, ..self.own(child, &around) };
+                    waiting.extend(children(nested, child, &melted));
                 }
                 _ => members.extend(self.member(child, &around)),
             }

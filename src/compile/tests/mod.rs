@@ -1,8 +1,10 @@
 //! Objects built by hand and asked through [`Probe`](super::probe::Probe).
 
 mod coincidence;
+mod cost;
 mod csg;
 mod oracle;
+mod scene;
 
 use std::sync::Arc;
 
