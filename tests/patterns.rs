@@ -9,6 +9,7 @@ use std::sync::Arc;
 use povista::compile::texture::TextureCompiler;
 use povista::diag::Collect;
 use povista::interp::interpret;
+use povista::math::{DVec2, DVec3, Transform};
 use povista::options::LanguageOptions;
 use povista::scene::function::{Expr, FunctionBody};
 use povista::scene::pigment::PigmentKind;
@@ -16,6 +17,7 @@ use povista::scene::texture::TextureBody;
 use povista::scene::{Function, Pattern, Scene};
 use povista::source::{Library, Source, Sources};
 use povista::world;
+use povista::world::texture::{Sample, Texture};
 
 /// One table: the text of its first header cell, the other header cells, and its rows.
 struct Table {
@@ -225,4 +227,73 @@ fn warps_move_points_as_povrays() {
         }
     }
     report.end(135);
+}
+
+/// The texture of the scene's only object.
+fn texture(text: &str, folder: &Path) -> Result<Texture, String> {
+    let scene = read(&format!("#version 3.7; global_settings{{assumed_gamma 1}} {text}"), folder)?;
+    let texture = scene.objects.first().and_then(|object| object.texture.as_ref()).ok_or("no texture")?;
+    let mut compiler = TextureCompiler::new(&scene.settings);
+    compiler.texture(texture, &Transform::IDENTITY).map_err(|error| error.to_string())
+}
+
+/// Where the centre of pixel `(column,row)` is in a picture of `pixels`, `size` across.
+fn pixel(cell: &str, pixels: [f64; 2], size: [f64; 2]) -> (f64, f64) {
+    let numbers: Vec<f64> = cell.trim_matches(['(', ')']).split(',').map(|n| n.parse().unwrap()).collect();
+    let x = ((numbers[0] + 0.5) / pixels[0] - 0.5) * size[0];
+    let y = (0.5 - (numbers[1] + 0.5) / pixels[1]) * size[1];
+    (x, y)
+}
+
+#[test]
+fn normals_are_bent_as_povrays() {
+    let folder = folder();
+    let mut report = Report::default();
+    for table in tables().iter().filter(|table| table.title == "`normal{…}`") {
+        for row in &table.rows {
+            let text = format!("plane{{-z,0 texture{{pigment{{rgb 1}} normal{{{}}}}}}}", body(&row[0]));
+            let (x, y) = pixel(&row[1], [12.0, 9.0], [4.0, 3.0]);
+            match texture(&text, folder.path()) {
+                Ok(texture) => {
+                    let mut sample =
+                        Sample::on_surface(DVec3::new(x, y, 0.0), -DVec3::Z, DVec3::Z, DVec2::ZERO);
+                    let bent = texture.layers().unwrap()[0].bend(&mut sample);
+                    for (found, expected) in bent.to_array().iter().zip(&row[3..]) {
+                        report.compare(&row[0], &row[1], *found, expected);
+                    }
+                }
+                Err(error) => report.fail(&row[0], &error),
+            }
+        }
+    }
+    report.end(100);
+}
+
+#[test]
+fn patterns_of_the_surface_have_povrays_values() {
+    let folder = folder();
+    let mut report = Report::default();
+    let tables = tables();
+    for row in tables.iter().filter(|table| table.title == "pigment").flat_map(|table| &table.rows) {
+        let normal = if row[1] == "–" { "" } else { body(&row[1]) };
+        let text = format!(
+            "sphere{{0,3 texture{{pigment{{{} color_map{{[0 rgb 0][1 rgb 1]}}}} {normal}}}}}",
+            body(&row[0])
+        );
+        let (x, y) = pixel(&row[2], [16.0, 12.0], [7.0, 5.25]);
+        let hit = DVec3::new(x, y, -(9.0 - x * x - y * y).sqrt());
+        match texture(&text, folder.path()) {
+            Ok(texture) => {
+                let mut sample = Sample::on_surface(hit, hit / 3.0, DVec3::Z, DVec2::ZERO);
+                let layer = &texture.layers().unwrap()[0];
+                layer.bend(&mut sample);
+                let found = layer.pigment.color(&sample).unwrap().rgb.x;
+                // Colours are kept in single precision.
+                let expected = format!("{:.7}", row[4].parse::<f32>().unwrap());
+                report.compare(&row[0], &row[2], f64::from(found), &expected);
+            }
+            Err(error) => report.fail(&row[0], &error),
+        }
+    }
+    report.end(16);
 }

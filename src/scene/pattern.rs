@@ -260,13 +260,13 @@ pub struct Pavement {
 /// `slope`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// Unit direction, or the point looked at.
+    /// A direction whose length is its weight against that of the altitude, or the point looked at.
     pub direction: DVec3,
     /// `direction` is a point.
     pub point_at: bool,
-    /// Slopes stretched to 0 … 1.
+    /// Slopes stretched to 0 … 1; equal ends leave them.
     pub range: [f64; 2],
-    /// `altitude`: direction and its range.
+    /// `altitude`: direction with its weight, and its range.
     pub altitude: Option<(DVec3, [f64; 2])>,
 }
 

@@ -10,45 +10,40 @@ use crate::syntax::Punct;
 /// Reads `slope <direction>` or `slope { [point_at] V [, low, high] [altitude V [, low, high]] }`.
 pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
     let keyword = vm.next()?;
-    let mut slope = Slope { direction: DVec3::ZERO, point_at: false, range: [0.0, 1.0], altitude: None };
-    let braced = vm.peek()?.kind == TokenKind::Punct(Punct::OpenBrace);
-    if braced {
+    let mut slope = Slope { direction: DVec3::ZERO, point_at: false, range: [0.0; 2], altitude: None };
+    let ((), place) = vm.located(|vm| {
+        if vm.peek()?.kind != TokenKind::Punct(Punct::OpenBrace) {
+            slope.direction = vm.read_vector()?;
+            return Ok(());
+        }
         let block = vm.open(keyword)?;
         slope.point_at = vm.accept(Word::PointAt)?;
-        (slope.direction, slope.range) = directed(vm, !slope.point_at)?;
+        (slope.direction, slope.range) = directed(vm)?;
         if vm.accept(Word::Altitude)? {
-            slope.altitude = Some(directed(vm, true)?);
+            slope.altitude = Some(directed(vm)?);
         }
         vm.close(block)?;
-    } else {
-        slope.direction = direction(vm, true)?;
-        if vm.accept(Word::Altitude)? {
-            slope.altitude = Some((direction(vm, true)?, [0.0, 1.0]));
-        }
+        Ok(())
+    })?;
+    let altitude = slope.altitude.map_or(DVec3::ZERO, |(altitude, _)| altitude);
+    if !slope.point_at && slope.direction == DVec3::ZERO && altitude == DVec3::ZERO {
+        return Err(vm
+            .error(place, "this direction has no length")
+            .help("give the direction slopes are measured against, such as `y`"));
     }
     Ok(Pattern::Slope(Box::new(slope)))
 }
 
-/// Reads a direction and its range.
-fn directed(vm: &mut Vm<'_>, unit: bool) -> Result<(DVec3, [f64; 2])> {
-    let direction = direction(vm, unit)?;
-    vm.comma()?;
-    let mut range = [0.0, 1.0];
-    if vm.at_number()? {
-        range[0] = vm.read_float()?;
+/// Reads a direction, whose length is its weight, and its range.
+fn directed(vm: &mut Vm<'_>) -> Result<(DVec3, [f64; 2])> {
+    let direction = vm.read_vector()?;
+    let mut range = [0.0; 2];
+    for end in &mut range {
         vm.comma()?;
-        range[1] = vm.read_float()?;
+        if !vm.at_number()? {
+            break;
+        }
+        *end = vm.read_float()?;
     }
     Ok((direction, range))
-}
-
-fn direction(vm: &mut Vm<'_>, unit: bool) -> Result<DVec3> {
-    let (direction, place) = vm.located(Vm::read_vector)?;
-    if !unit {
-        return Ok(direction);
-    }
-    direction.try_normalize().ok_or_else(|| {
-        vm.error(place, "this direction has no length")
-            .help("give the direction slopes are measured against, such as `y`")
-    })
 }
