@@ -67,7 +67,8 @@ impl Sandbox {
 
     /// Runs `program` in the copy until it ends or has used `cpu` of processor time.
     pub fn run(&self, program: &Path, arguments: &[String], cpu: Duration) -> io::Result<Finished> {
-        let errors = self.root.path().join("stderr");
+        let text = self.root.path().join("text");
+        let file = File::create(&text)?;
         let seconds = cpu.as_secs().max(1);
         let start = Instant::now();
         // The shell sets the limits and becomes the program, so its process id is the program's.
@@ -81,13 +82,13 @@ impl Sandbox {
             .args(arguments)
             .current_dir(self.scene_folder())
             .stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(File::create(&errors)?)
+            .stdout(file.try_clone()?)
+            .stderr(file)
             .spawn()?;
         let status = wait(&mut child, start + cpu * WALL_PER_CPU)?;
         let wall = start.elapsed();
-        let stderr = String::from_utf8_lossy(&fs::read(&errors)?).into_owned();
-        Ok(Finished { ended: status.map_or(Ended::OutOfTime, Ended::from), stderr, wall })
+        let text = String::from_utf8_lossy(&fs::read(&text)?).into_owned();
+        Ok(Finished { ended: status.map_or(Ended::OutOfTime, Ended::from), text, wall })
     }
 }
 
@@ -134,8 +135,8 @@ impl From<ExitStatus> for Ended {
 pub struct Finished {
     /// How it ended.
     pub ended: Ended,
-    /// All it wrote to standard error.
-    pub stderr: String,
+    /// All it wrote to standard output and standard error.
+    pub text: String,
     /// Time by the clock.
     pub wall: Duration,
 }
@@ -158,7 +159,7 @@ mod tests {
     fn a_program_works_on_a_copy() {
         let finished = shell("cat a.inc >&2; echo changed > a.inc; exit 3", 10);
         assert_eq!(finished.ended, Ended::Code(3));
-        assert_eq!(finished.stderr, "kept");
+        assert_eq!(finished.text, "kept");
     }
 
     #[test]

@@ -14,6 +14,9 @@ use crate::scene::{Scene, invalid};
 /// Exit code of a Rust program that panicked.
 const PANICKED: i32 = 101;
 
+/// What povista's framed reports begin an error with.
+const FRAMED: char = '×';
+
 /// Either of the two programs.
 #[derive(Clone, Debug)]
 pub struct Program {
@@ -103,7 +106,8 @@ impl Program {
 
     /// Has povista read `scene` without rendering it; the error, if there is one.
     pub fn check(&self, scene: &Scene, limit: Duration) -> io::Result<(Finished, Option<String>)> {
-        let finished = self.run(scene, &["check".to_owned(), scene.file_name()], limit)?;
+        let finished =
+            self.run(scene, &["check", "--format", "plain", &scene.file_name()].map(str::to_owned), limit)?;
         let error = (finished.ended != Ended::Code(0)).then(|| match outcome(&finished, None) {
             Outcome::Refused(message) => message,
             Outcome::Crashed(message) => format!("crashed: {message}"),
@@ -131,7 +135,7 @@ fn beside_us(name: &str) -> io::Result<PathBuf> {
 
 /// Reads how a renderer ended: by its exit code first, then by what it wrote.
 fn outcome(finished: &Finished, picture: Option<Vec<u8>>) -> Outcome {
-    let panicked = finished.stderr.lines().find(|line| line.contains("panicked at"));
+    let panicked = finished.text.lines().find(|line| line.contains("panicked at"));
     match finished.ended {
         Ended::OutOfTime => Outcome::OutOfTime,
         Ended::Signal(signal) => Outcome::Crashed(format!("signal {signal}")),
@@ -145,13 +149,13 @@ fn outcome(finished: &Finished, picture: Option<Vec<u8>>) -> Outcome {
             },
             None => Outcome::Crashed("success without a picture".to_owned()),
         },
-        Ended::Code(_) => Outcome::Refused(error_line(&finished.stderr)),
+        Ended::Code(_) => Outcome::Refused(error_line(&finished.text)),
     }
 }
 
 /// The one line of a program's output that says why it gave up.
-fn error_line(stderr: &str) -> String {
-    let plain = without_escapes(stderr);
+fn error_line(text: &str) -> String {
+    let plain = without_escapes(text);
     let lines: Vec<&str> = plain.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
     // povray calls some of its warnings possible errors.
     let says = |what: &str| {
@@ -159,8 +163,10 @@ fn error_line(stderr: &str) -> String {
             |line: &&&str| line.to_lowercase().contains(what) && !line.contains("Possible Parse Error");
         lines.iter().find(says)
     };
-    let line = says("not supported yet").or_else(|| says("error:")).or_else(|| says("error"));
-    line.or(lines.last()).map_or("no message", |line| line).to_owned()
+    let framed = || lines.iter().find(|line| line.starts_with(FRAMED));
+    let line = says("not supported yet").or_else(|| says("error:")).or_else(framed).or_else(|| says("error"));
+    let line = line.or(lines.last()).map_or("no message", |line| line);
+    line.trim_start_matches(FRAMED).trim_start().to_owned()
 }
 
 /// `text` without terminal colours.
@@ -181,15 +187,15 @@ fn without_escapes(text: &str) -> String {
 mod tests {
     use super::*;
 
-    fn ended(ended: Ended, stderr: &str) -> Finished {
-        Finished { ended, stderr: stderr.to_owned(), wall: Duration::ZERO }
+    fn ended(ended: Ended, text: &str) -> Finished {
+        Finished { ended, text: text.to_owned(), wall: Duration::ZERO }
     }
 
     #[test]
     fn a_refusal_carries_its_message() {
-        let stderr = "Warning: no camera\nFile 'a.pov' line 3: Parse Error: \u{1b}[31mnot supported yet\u{1b}[0m: media\nmore\n";
+        let text = "Warning: no camera\nFile 'a.pov' line 3: Parse Error: \u{1b}[31mnot supported yet\u{1b}[0m: media\nmore\n";
         assert_eq!(
-            outcome(&ended(Ended::Code(1), stderr), None),
+            outcome(&ended(Ended::Code(1), text), None),
             Outcome::Refused("File 'a.pov' line 3: Parse Error: not supported yet: media".to_owned())
         );
     }
@@ -198,6 +204,8 @@ mod tests {
     fn an_error_without_the_word_is_its_last_line() {
         assert_eq!(error_line("reading\ncannot open it\n\n"), "cannot open it");
         assert_eq!(error_line(""), "no message");
+        let framed = "  × expected `}`\n    ╭─[a.pov:1:1]\n  × another\na.pov: 2 errors, 0 warnings\n";
+        assert_eq!(error_line(framed), "expected `}`");
         let warned =
             "File 'a.pov' line 1: Possible Parse Error: odd\nFile 'a.pov' line 2: Parse Error: wrong\n";
         assert_eq!(error_line(warned), "File 'a.pov' line 2: Parse Error: wrong");

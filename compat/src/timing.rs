@@ -91,7 +91,7 @@ pub fn time_reading(
     let arguments = arguments.map(str::to_owned);
     for _ in 0..rounds.max(1) {
         let finished = povray.run(scene, &arguments, limit)?;
-        let Some(times) = parse_time(&finished.stderr) else { return Ok(None) };
+        let Some(times) = parse_time(&finished.text) else { return Ok(None) };
         timing.povray.least(times);
         let before = children()?;
         let (finished, None) = povista.check(scene, limit)? else { return Ok(None) };
@@ -101,8 +101,8 @@ pub fn time_reading(
 }
 
 /// The parse time among POV-Ray's closing statistics.
-fn parse_time(stderr: &str) -> Option<Times> {
-    let (_, text) = stderr.split_once("Parse Time:")?;
+fn parse_time(text: &str) -> Option<Times> {
+    let (_, text) = text.split_once("Parse Time:")?;
     let (wall, text) = text.split_once('(')?.1.split_once(" seconds)")?;
     let (_, cpu) = text.split_once(" CPU-seconds")?.0.rsplit_once(' ')?;
     Some(Times { wall: wall.parse().ok()?, cpu: cpu.parse().ok()? })
@@ -149,11 +149,11 @@ mod tests {
 
     #[test]
     fn parse_time_is_read_from_the_closing_statistics() {
-        let stderr = "Render Statistics\n  Photon Time:      No photons\n  \
+        let text = "Render Statistics\n  Photon Time:      No photons\n  \
             Parse Time:       0 hours  0 minutes 12 seconds (12.296 seconds)\n              \
             using 1 thread(s) with 11.288 CPU-seconds total\n  \
             Bounding Time:    0 hours  0 minutes  0 seconds (0.001 seconds)\n";
-        assert_eq!(parse_time(stderr), Some(Times { wall: 12.296, cpu: 11.288 }));
+        assert_eq!(parse_time(text), Some(Times { wall: 12.296, cpu: 11.288 }));
         assert_eq!(parse_time("Fatal error in parser: no"), None);
     }
 

@@ -12,9 +12,6 @@ use crate::verdict::Verdict;
 /// What heads the columns of [`times`].
 const TIMES: &str = "povray s povista s  ratio  povray CPU povista CPU  ratio";
 
-/// What povista says before the name of a feature it can't render.
-const UNSUPPORTED: &str = "not supported yet:";
-
 /// One line per case and a line of sums; times and their ratio where they were taken.
 pub fn cases(report: &Report) -> String {
     let timings: Vec<Timing> = report.cases.iter().filter_map(|case| case.times).collect();
@@ -123,13 +120,9 @@ fn counted<'a>(failing: impl Iterator<Item = (&'a str, String)>) -> String {
     counts.iter().map(line).collect()
 }
 
-/// What a message is about: the unsupported feature, or the message without its place.
+/// What a message is about: all of it but its place.
 fn feature(message: &str) -> String {
-    if let Some((_, feature)) = message.split_once(UNSUPPORTED) {
-        return format!("{UNSUPPORTED} {}", feature.trim());
-    }
-    let message = message.split_once("Error: ").map_or(message, |(_, what)| what);
-    message.trim().to_owned()
+    message.split_once("Error: ").map_or(message, |(_, what)| what).trim().to_owned()
 }
 
 #[cfg(test)]
@@ -173,15 +166,15 @@ mod tests {
     #[test]
     fn features_are_counted_wherever_they_stand() {
         let cases = [
-            case("a.pov", Verdict::Refused, "File 'a.pov' line 3: Parse Error: not supported yet: media"),
+            case("a.pov", Verdict::Refused, "File 'a.pov' line 3: Parse Error: `media` is not supported yet"),
             case("b.pov", Verdict::Refused, "error: bad number"),
-            case("c.pov", Verdict::Refused, "File 'c.pov' line 9: Parse Error: not supported yet: media"),
+            case("c.pov", Verdict::Refused, "File 'c.pov' line 9: Parse Error: `media` is not supported yet"),
             case("d.pov", Verdict::Match, ""),
         ];
         let report = Report { povray: "", povista: "", cases: &cases };
         assert_eq!(
             features(&report),
-            "   2  not supported yet: media  (such as a.pov)\n   1  error: bad number  (such as b.pov)\n"
+            "   2  `media` is not supported yet  (such as a.pov)\n   1  error: bad number  (such as b.pov)\n"
         );
     }
 
