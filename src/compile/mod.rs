@@ -9,6 +9,7 @@ pub mod function;
 pub mod image;
 pub mod interior;
 pub mod light;
+mod needs;
 pub mod normal;
 mod object;
 pub mod pattern;

@@ -44,7 +44,10 @@ impl TextureCompiler<'_> {
             Kind::Bumps { field, map } => {
                 NormalKind::Bumps(self.warps(field), Box::new(self.image_map(map, false)?))
             }
-            Kind::UvMapped(normal) => NormalKind::UvMapped(self.normal(normal)?),
+            Kind::UvMapped(normal) => {
+                self.uses_uv = true;
+                NormalKind::UvMapped(self.normal(normal)?)
+            }
         })
     }
 }

@@ -105,11 +105,12 @@ impl Flattener {
             (Some(only), None) => Some(Box::new(only)),
             (None, only) => only.map(|only| Box::new(*only)),
         };
-        let own_textures = self.flat.textures.len() as u32;
+        let first = self.flat.textures.len() as u32;
         for texture in own_list(primitive) {
             let outer = if own.uv_mapping { None } else { own.inner(object) };
             self.texture(texture, outer, object.span);
         }
+        let own_textures = first..self.flat.textures.len() as u32;
         let texture = own.texture.or_else(|| {
             let from_cut_solids = own.cutaway && own.cut;
             (!from_cut_solids).then(|| self.default_texture())

@@ -50,7 +50,10 @@ impl TextureCompiler<'_> {
             PigmentKind::Image { field, map } => {
                 Pigment::Image(self.warps(field), Box::new(self.image_map(map, true)?))
             }
-            PigmentKind::UvMapped(pigment) => Pigment::UvMapped(self.pigment(pigment)?),
+            PigmentKind::UvMapped(pigment) => {
+                self.uses_uv = true;
+                Pigment::UvMapped(self.pigment(pigment)?)
+            }
         })
     }
 }

@@ -28,6 +28,7 @@ pub struct TextureCompiler<'a> {
     quick_colors: bool,
     objects: Option<ObjectCompiler<'a>>,
     depth: u32,
+    pub(super) uses_uv: bool,
     waves: Option<Arc<[WaveSource]>>,
     bodies: Cache<scene::texture::TextureBody, TextureBody>,
     finishes: Cache<scene::Finish, world::texture::Finish>,
@@ -49,6 +50,7 @@ impl<'a> TextureCompiler<'a> {
             quick_colors: false,
             objects: None,
             depth: 0,
+            uses_uv: false,
             waves: None,
             bodies: Cache::default(),
             finishes: Cache::default(),
@@ -69,6 +71,11 @@ impl<'a> TextureCompiler<'a> {
     #[must_use]
     pub fn with_objects(self, objects: ObjectCompiler<'a>) -> Self {
         Self { objects: Some(objects), ..self }
+    }
+
+    /// Whether anything compiled so far is evaluated at texture coordinates.
+    pub fn uses_uv(&self) -> bool {
+        self.uses_uv
     }
 
     /// A texture, seen through the transform of the object it is on.
@@ -119,7 +126,10 @@ impl<'a> TextureCompiler<'a> {
                     })
                     .collect::<Result<_, _>>()?,
             },
-            Body::UvMapped(texture) => TextureBody::UvMapped(self.texture(texture, &Transform::IDENTITY)?),
+            Body::UvMapped(texture) => {
+                self.uses_uv = true;
+                TextureBody::UvMapped(self.texture(texture, &Transform::IDENTITY)?)
+            }
         })
     }
 

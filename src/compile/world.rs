@@ -6,14 +6,13 @@ use super::flatten::{Flat, Flattener, InteriorUse, TextureUse};
 use super::object::legacy;
 use super::probe::Probe;
 use super::texture::TextureCompiler;
-use super::{Unsupported, atmosphere, camera, interior, light, settings};
+use super::{Unsupported, atmosphere, camera, interior, light, needs, settings};
 use crate::math::Transform;
 use crate::options::RenderOptions;
 use crate::scene::{self, Object, Scene};
 use crate::source::Span;
 use crate::world::object::LeafFlags;
 use crate::world::parts::Parts;
-use crate::world::shape::Primitive;
 use crate::world::{Geometry, Inside, Interior, Member, Texture, World};
 
 /// A world, and what of the scene is not in it.
@@ -41,8 +40,9 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
         .with_objects(&inside_of);
     let camera = camera::camera(&scene.camera, &mut textures, &mut lacking);
     let atmosphere = atmosphere::atmosphere(&scene, &mut textures, &mut lacking);
-    let surfaces = surfaces(&flat, &mut textures, &mut lacking);
-    let interiors = interiors(&flat, &mut lacking);
+    let interiors = interiors(&mut flat, &mut lacking);
+    let surfaces = surfaces(&mut flat, &mut textures, &mut lacking);
+    let needs = needs::needs(&flat, &textures);
     let lights =
         flat.lights.iter().map(|used| light::light(&used.light, &used.transform, used.projected_through));
     let lights = lights.collect();
@@ -56,6 +56,7 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
         camera,
         atmosphere,
         settings: settings::settings(&scene.settings),
+        needs,
     };
     Compiled { world, spans: flat.spans, unsupported: lacking }
 }
@@ -85,36 +86,56 @@ fn inside_of(object: &Arc<Object>) -> Result<Arc<dyn Inside>, Unsupported> {
     }
 }
 
-/// The textures by number; what can't be compiled is replaced by POV-Ray's default texture.
-fn surfaces(flat: &Flat, textures: &mut TextureCompiler, lacking: &mut Vec<Unsupported>) -> Vec<Texture> {
+/// The textures in use, which the leaves then number; what can't be compiled is replaced by
+/// POV-Ray's default texture.
+fn surfaces(flat: &mut Flat, textures: &mut TextureCompiler, lacking: &mut Vec<Unsupported>) -> Vec<Texture> {
+    let used = needs::textures(flat);
     let identity = Transform::IDENTITY;
-    let compile = |used: &TextureUse| {
-        let outer = used.outer.as_deref().unwrap_or(&identity);
-        textures.texture(&used.texture, outer).or_else(|unsupported| {
+    let compile = |wanted: &TextureUse| {
+        let outer = wanted.outer.as_deref().unwrap_or(&identity);
+        textures.texture(&wanted.texture, outer).or_else(|unsupported| {
             lacking.push(unsupported);
             textures.texture(&scene::Texture::default(), outer)
         })
     };
     // The default texture has nothing that could be unsupported.
-    flat.textures.iter().map(compile).filter_map(Result::ok).collect()
+    let compiled = used.only(&flat.textures).map(compile).filter_map(Result::ok).collect();
+    for leaf in &mut flat.parts.leaves {
+        leaf.texture = leaf.texture.map(|number| used.renumbered(number));
+        leaf.interior_texture = leaf.interior_texture.map(|number| used.renumbered(number));
+        if !leaf.own_textures.is_empty() {
+            let first = used.renumbered(leaf.own_textures.start);
+            leaf.own_textures = first..first + leaf.own_textures.len() as u32;
+        }
+    }
+    compiled
 }
 
-/// The interiors by number.
-fn interiors(flat: &Flat, lacking: &mut Vec<Unsupported>) -> Vec<Interior> {
-    let compile = |used: &InteriorUse| {
-        let texture = used.texture.map(|number| &flat.textures[number as usize].texture);
+/// The interiors in use, which leaves and objects then number.
+fn interiors(flat: &mut Flat, lacking: &mut Vec<Unsupported>) -> Vec<Interior> {
+    let used = needs::interiors(flat);
+    let compile = |wanted: &InteriorUse| {
+        let texture = wanted.texture.map(|number| &flat.textures[number as usize].texture);
         let legacy = texture.and_then(legacy);
-        interior::interior(used.interior.as_deref(), legacy, used.hollow, lacking)
+        interior::interior(wanted.interior.as_deref(), legacy, wanted.hollow, lacking)
     };
-    flat.interiors.iter().map(compile).collect()
+    let compiled = used.only(&flat.interiors).map(compile).collect();
+    for leaf in &mut flat.parts.leaves {
+        leaf.interior = used.renumbered(leaf.interior);
+    }
+    for object in &mut flat.parts.objects {
+        object.interior = used.renumbered(object.interior);
+    }
+    compiled
 }
 
 /// Notes which leaves and objects no light passes, so that shadow rays ask no further.
 fn mark_opaque(flat: &mut Flat, textures: &[Texture]) {
     let opaque = |number: u32| textures[number as usize].is_opaque();
     for leaf in &mut flat.parts.leaves {
-        let painted = matches!(&leaf.primitive, Primitive::Mesh(mesh) if mesh.is_painted());
-        let all = !painted && leaf.texture.is_some_and(opaque) && leaf.interior_texture.is_none_or(opaque);
+        let all = leaf.own_textures.clone().all(opaque)
+            && leaf.texture.is_some_and(opaque)
+            && leaf.interior_texture.is_none_or(opaque);
         leaf.flags.set(LeafFlags::OPAQUE, all);
     }
     let objects = flat.parts.objects.iter().map(|object| is_opaque(&flat.parts, object.member));

@@ -2,7 +2,7 @@
 
 use smallvec::SmallVec;
 
-use crate::math::DVec3;
+use crate::math::{DVec2, DVec3};
 use crate::world::hit::Hit;
 use crate::world::object::LeafFlags;
 use crate::world::sample::Sample;
@@ -22,7 +22,7 @@ pub(super) fn resolve(
     shade: &mut dyn FnMut(f32, &[Layer], &mut Sample),
 ) {
     let leaf = world.geometry.parts().leaf(hit.leaf);
-    let uv = world.geometry.uv(hit, surface.point);
+    let uv = if world.needs.uv { world.geometry.uv(hit, surface.point) } else { DVec2::ZERO };
     let sample = Sample::on_surface(surface.point, surface.normal, ray.direction, uv);
     let sample = if leaf.flags.contains(LeafFlags::UV_MAPPING) { sample.uv_mapped() } else { sample };
     let bailout = world.settings.adc_bailout;
@@ -38,7 +38,7 @@ pub(super) fn resolve(
 fn shares(world: &World, leaf: &Leaf, hit: &Hit, surface: &Intersection) -> Shares {
     let mut shares = Shares::new();
     leaf.primitive.textures(surface.point, &hit.crossing, &mut |number, share| {
-        shares.push((leaf.own_textures + number, share as f32));
+        shares.push((leaf.own_textures.start + number, share as f32));
     });
     if !shares.is_empty() {
         return shares;

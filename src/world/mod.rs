@@ -10,6 +10,7 @@ pub mod hit;
 pub mod image;
 pub mod interior;
 pub mod light;
+pub mod needs;
 pub mod object;
 pub mod parts;
 pub mod pattern;
@@ -28,6 +29,7 @@ pub use function::Function;
 pub use hit::{Geometry, Hit};
 pub use interior::Interior;
 pub use light::Light;
+pub use needs::Needs;
 pub use object::{Leaf, Member, RayKind};
 pub use ray::{Range, Ray};
 pub use sample::{Colors, Field, Inside, Sample};
@@ -57,6 +59,8 @@ pub struct World {
     pub atmosphere: Atmosphere,
     /// What holds everywhere.
     pub settings: Settings,
+    /// What can't be left out.
+    pub needs: Needs,
 }
 
 impl World {

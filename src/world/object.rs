@@ -1,5 +1,7 @@
 //! What rays meet: primitives in their places, and the trees and objects made of them.
 
+use std::ops::Range;
+
 use bitflags::bitflags;
 
 use super::extent::Extent;
@@ -63,8 +65,8 @@ pub struct Leaf {
     pub texture: Option<u32>,
     /// The surface seen from inside.
     pub interior_texture: Option<u32>,
-    /// Where in the world's textures the shape's own list begins.
-    pub own_textures: u32,
+    /// Where in the world's textures the shape's own list is; empty for most.
+    pub own_textures: Range<u32>,
     /// What it is filled with: a number into the world's interiors.
     pub interior: u32,
     /// Which lights reach it: a number into the world's light sets.

@@ -47,11 +47,6 @@ pub struct Face {
 }
 
 impl Mesh {
-    /// Whether faces have textures of their own.
-    pub fn is_painted(&self) -> bool {
-        self.faces.iter().any(|face| face.textures.is_some())
-    }
-
     /// Faces without area are left out; normals are normalised, a zero one becomes +x.
     /// `inside` is the direction that decides what is inside; without it the mesh is a surface.
     /// `None` where a face refers to what isn't in the lists.

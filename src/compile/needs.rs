@@ -1,0 +1,59 @@
+//! What a scene really uses. Compounds hand textures and interiors down to members that have their
+//! own; what no leaf refers to is never compiled, so that no image is decoded for nothing and
+//! nothing unused is called unsupported.
+
+use super::flatten::Flat;
+use super::texture::TextureCompiler;
+use crate::world::Needs;
+use crate::world::object::LeafFlags;
+
+/// Which of a list are in use, and their numbers after the others are left out.
+#[derive(Debug)]
+pub(super) struct Used {
+    numbers: Vec<Option<u32>>,
+}
+
+impl Used {
+    fn new(all: usize, used: impl Iterator<Item = u32>) -> Self {
+        let mut numbers = vec![None; all];
+        for number in used {
+            if let Some(number) = numbers.get_mut(number as usize) {
+                *number = Some(0);
+            }
+        }
+        numbers.iter_mut().flatten().zip(0..).for_each(|(number, next)| *number = next);
+        Self { numbers }
+    }
+
+    /// Those of the whole list that are in use.
+    pub(super) fn only<'a, T>(&'a self, all: &'a [T]) -> impl Iterator<Item = &'a T> {
+        all.iter().zip(&self.numbers).filter_map(|(item, number)| number.map(|_| item))
+    }
+
+    /// The new number of one in use.
+    pub(super) fn renumbered(&self, number: u32) -> u32 {
+        self.numbers.get(number as usize).copied().flatten().unwrap_or_default()
+    }
+}
+
+/// The textures that leaves refer to.
+pub(super) fn textures(flat: &Flat) -> Used {
+    let used = flat.parts.leaves.iter().flat_map(|leaf| {
+        let own = leaf.own_textures.clone();
+        own.chain(leaf.texture).chain(leaf.interior_texture)
+    });
+    Used::new(flat.textures.len(), used)
+}
+
+/// The interiors that leaves or objects refer to.
+pub(super) fn interiors(flat: &Flat) -> Used {
+    let leaves = flat.parts.leaves.iter().map(|leaf| leaf.interior);
+    let objects = flat.parts.objects.iter().map(|object| object.interior);
+    Used::new(flat.interiors.len(), leaves.chain(objects))
+}
+
+/// What compiled surfaces ask for.
+pub(super) fn needs(flat: &Flat, textures: &TextureCompiler) -> Needs {
+    let mapped = flat.parts.leaves.iter().any(|leaf| leaf.flags.contains(LeafFlags::UV_MAPPING));
+    Needs { uv: mapped || textures.uses_uv() }
+}

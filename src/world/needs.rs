@@ -1,0 +1,8 @@
+//! What a world can do without.
+
+/// Machinery that something in the world uses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Needs {
+    /// Texture coordinates.
+    pub uv: bool,
+}
