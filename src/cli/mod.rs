@@ -10,18 +10,75 @@ pub mod picture;
 pub mod povray;
 mod problem;
 mod read;
+pub mod run;
 pub mod settings;
 
 use std::ffi::OsString;
-use std::io::Write;
+use std::io::{IsTerminal, Write};
+use std::path::Path;
 
 pub use problem::Problem;
 
 /// Runs the program and returns its exit code.
+///
+/// Words of POV-Ray's command line are read as POV-Ray reads them, and so is everything when the program's
+/// name is `povray`; what it says is POV-Ray's too, unless a person watches who called it `povista`.
 pub fn main(
     arguments: impl IntoIterator<Item = OsString>,
     out: &mut (dyn Write + Send),
     err: &mut (dyn Write + Send),
 ) -> u8 {
-    native::main(arguments.into_iter().collect(), out, err)
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let program = arguments.first().map(|program| Path::new(program).file_stem().unwrap_or_default());
+    let is_povray = program.is_some_and(|program| program.eq_ignore_ascii_case("povray"));
+    let words: Vec<String> =
+        arguments.iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    if is_povray {
+        povray::main(&words, err)
+    } else if !speaks_povray(&words) {
+        native::main(arguments, out, err)
+    } else if std::io::stderr().is_terminal() {
+        native::as_povray(&words, err)
+    } else {
+        povray::main(&words, err)
+    }
+}
+
+/// Whether a command line is POV-Ray's rather than povista's own.
+fn speaks_povray(words: &[String]) -> bool {
+    let own = |word: &String| word.len() > 2 && word.starts_with("--");
+    let command = words.first().is_some_and(|word| native::COMMANDS.contains(&word.as_str()));
+    let version = matches!(words, [word] if word == "-V");
+    !command && !version && !words.iter().any(own) && words.iter().any(|word| povray::is_povray(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_line_is_told_by_its_words() {
+        let speaks =
+            |line: &str| speaks_povray(&line.split_whitespace().map(str::to_owned).collect::<Vec<_>>());
+        for line in
+            ["+Ia.pov", "a.pov +W640", "a.pov -D", "quick.ini a.pov", "Width=3 a.pov", "-A0.3 a.pov", "+ZZ"]
+        {
+            assert!(speaks(line), "{line}");
+        }
+        for line in [
+            "a.pov",
+            "",
+            "-V",
+            "--version",
+            "render a.pov",
+            "a.pov -o b.png",
+            "a.pov -L dir --size 3x4",
+            "diff +a.png b.png",
+            "a.pov --declare Size=3",
+            "a.pov --clock -1",
+            "-h",
+        ] {
+            assert!(!speaks(line), "{line}");
+        }
+    }
 }

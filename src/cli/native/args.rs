@@ -4,24 +4,45 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
+/// Below `--help`.
+const EXAMPLES: &str = "\
+Examples:
+  povista scenes/showcase.pov                 renders scenes/showcase.png
+  povista scene.pov -o big.png --size 1920x1080 --aa 0.1
+  povista check scene.pov                     says what is wrong with a scene
+  povista compare scene.pov                   renders with POV-Ray too and shows the difference
+
+POV-Ray's own switches, options and INI files work as they do there:
+  povista +Iscene.pov +W640 +H480 +A0.3 +Oout.png -D
+  povista quick.ini[low] Declare=Size=3 scene.pov
+A link named `povray` to this program answers as POV-Ray does.
+
+Without `--size`, pictures are as big as povray.ini says, or 800x600 where there is none.";
+
 /// Renders POV-Ray scenes: the same picture, faster, with errors people enjoy reading.
 #[derive(Debug, Parser)]
-#[command(name = "povista", version, long_version = super::LONG_VERSION)]
-#[command(arg_required_else_help = true, max_term_width = 100)]
+#[command(name = "povista", version, long_version = super::LONG_VERSION, after_help = EXAMPLES)]
+#[command(args_conflicts_with_subcommands = true, arg_required_else_help = true, max_term_width = 100)]
 pub(super) struct Arguments {
     #[command(subcommand)]
-    pub(super) command: Command,
+    pub(super) command: Option<Command>,
+    #[command(flatten)]
+    pub(super) render: Render,
 }
 
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
+    /// Render a scene; `povista SCENE` is short for it
+    Render(Render),
     /// Read a scene and say what is wrong with it, without rendering
     Check(Check),
     /// Show what povista understood of a scene
     Dump(Scene),
     /// Tell how far two pictures are apart
     Diff(Diff),
+    /// Render a scene with POV-Ray too, and show both pictures, the difference and the times
+    Compare(Compare),
     /// Print what a shell needs to complete povista's commands
     Completions {
         /// The shell
@@ -44,6 +65,65 @@ pub(super) struct Scene {
     /// Set the scene's `clock`
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) clock: Option<f32>,
+}
+
+/// How a picture is made.
+#[derive(Debug, Args)]
+pub(super) struct Render {
+    #[command(flatten)]
+    pub(super) scene: Scene,
+    /// Write the picture there; the extension says how: png, ppm, tga, bmp, jpg, hdr, exr. `-` is standard output
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(super) output: Option<String>,
+    #[command(flatten)]
+    pub(super) look: Look,
+    /// Store transparency
+    #[arg(long)]
+    pub(super) alpha: bool,
+    /// Bits per channel, 5 to 16, where the format leaves a choice [default: 8]
+    #[arg(long, value_name = "BITS")]
+    pub(super) bits: Option<u8>,
+    /// Leave out what povista cannot render yet, with a warning
+    #[arg(long)]
+    pub(super) skip_unsupported: bool,
+    /// How objects near a ray are found; never changes the picture
+    #[arg(long, value_name = "STRUCTURE", default_value = "auto")]
+    pub(super) accel: Accel,
+    /// Show every count the renderer keeps
+    #[arg(long)]
+    pub(super) stats: bool,
+    /// Say nothing but warnings and errors
+    #[arg(short, long)]
+    pub(super) quiet: bool,
+}
+
+/// What a picture looks like.
+#[derive(Debug, Args)]
+pub(super) struct Look {
+    /// Width and height in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    pub(super) size: Option<(u32, u32)>,
+    /// Antialias: refine pixels that differ by this much from their neighbours, 0 to 1 [default: 0.3]
+    #[arg(long, value_name = "THRESHOLD", num_args = 0..=1, default_missing_value = "0.3")]
+    pub(super) aa: Option<f32>,
+    /// Antialias by POV-Ray's method 1 (neighbours) or 2 (adaptive) [default: 1]
+    #[arg(long, value_name = "METHOD", value_parser = clap::value_parser!(u8).range(1..=2))]
+    pub(super) aa_method: Option<u8>,
+    /// Fineness of antialiasing, 1 to 9 [default: 3]
+    #[arg(long, value_name = "DEPTH")]
+    pub(super) aa_depth: Option<u8>,
+    /// Shading from 0 (flat colors) to 9 (everything)
+    #[arg(long, value_name = "LEVEL")]
+    pub(super) quality: Option<u8>,
+    /// Render only these rows, counted from 1: `100-200`, `100-` or `-200`
+    #[arg(long, value_name = "FIRST-LAST", value_parser = range, allow_hyphen_values = true)]
+    pub(super) rows: Option<(Option<u32>, Option<u32>)>,
+    /// Render only these columns
+    #[arg(long, value_name = "FIRST-LAST", value_parser = range, allow_hyphen_values = true)]
+    pub(super) columns: Option<(Option<u32>, Option<u32>)>,
+    /// Use so many threads; never changes the picture [default: all the machine has]
+    #[arg(long, value_name = "COUNT")]
+    pub(super) threads: Option<u32>,
 }
 
 /// What to check, and how to tell.
@@ -76,6 +156,24 @@ pub(super) struct Diff {
     pub(super) json: bool,
 }
 
+/// What to render with both programs.
+#[derive(Debug, Args)]
+pub(super) struct Compare {
+    #[command(flatten)]
+    pub(super) scene: Scene,
+    #[command(flatten)]
+    pub(super) look: Look,
+    /// Write ours, theirs and the heat map side by side there [default: SCENE-compare.png]
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub(super) output: Option<PathBuf>,
+    /// The program to compare with
+    #[arg(long, value_name = "PROGRAM", default_value = "povray")]
+    pub(super) povray: PathBuf,
+    /// Tell as JSON
+    #[arg(long)]
+    pub(super) json: bool,
+}
+
 /// How diagnostics are told.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum Telling {
@@ -87,6 +185,34 @@ pub(super) enum Telling {
     Json,
 }
 
+/// How objects near a ray are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Accel {
+    /// What suits the scene
+    Auto,
+    /// Every object in turn
+    Linear,
+    /// An octree
+    Octree,
+    /// A tree of boxes
+    Bvh,
+}
+
+/// Reads `640x480`.
+fn size(text: &str) -> Result<(u32, u32), String> {
+    text.split_once(['x', 'X'])
+        .and_then(|(width, height)| Some((width.parse().ok()?, height.parse().ok()?)))
+        .ok_or_else(|| "a size is WIDTHxHEIGHT, such as 640x480".to_owned())
+}
+
+/// Reads `10-20`, `10-` or `-20`.
+fn range(text: &str) -> Result<(Option<u32>, Option<u32>), String> {
+    let end = |text: &str| if text.is_empty() { Ok(None) } else { text.parse().map(Some) };
+    text.split_once('-')
+        .and_then(|(first, last)| Some((end(first).ok()?, end(last).ok()?)))
+        .ok_or_else(|| "a range is FIRST-LAST, such as 100-200, 100- or -200".to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -95,5 +221,14 @@ mod tests {
     #[test]
     fn the_command_line_is_consistent() {
         Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn sizes_and_ranges_are_read() {
+        assert_eq!(size("640x480"), Ok((640, 480)));
+        assert!(size("640").is_err());
+        assert_eq!(range("10-20"), Ok((Some(10), Some(20))));
+        assert_eq!(range("-20"), Ok((None, Some(20))));
+        assert!(range("10").is_err() && range("a-b").is_err());
     }
 }

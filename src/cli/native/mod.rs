@@ -2,8 +2,10 @@
 
 mod args;
 mod check;
+mod compare;
 mod diff;
 mod dump;
+mod render;
 mod settings;
 mod teller;
 mod terminal;
@@ -15,8 +17,11 @@ use clap::{CommandFactory, Parser};
 
 use super::exit;
 use super::failure::Failure;
+use super::povray;
 use super::problem::Problem;
+use super::settings::Name;
 use args::{Arguments, Command};
+use teller::Teller;
 use terminal::Terminal;
 
 /// What `--version` says.
@@ -25,6 +30,9 @@ const LONG_VERSION: &str = concat!(
     "\nReads and renders the scenes of POV-Ray 3.7.\n",
     "Licensed under MIT or Apache-2.0, at your choice. Not part of POV-Ray."
 );
+
+/// The subcommands' names; with one of these first, words are povista's own.
+pub(super) const COMMANDS: [&str; 7] = ["render", "check", "dump", "diff", "compare", "completions", "help"];
 
 /// Runs a command line and returns the exit code.
 pub(super) fn main(
@@ -51,6 +59,15 @@ pub(super) fn main(
     end(result, err)
 }
 
+/// Runs a command line of POV-Ray's for a person who watches.
+pub(super) fn as_povray(words: &[String], err: &mut (dyn Write + Send)) -> u8 {
+    let result = povray::job(words).map_err(Failure::Problem).and_then(|(settings, job)| {
+        let quiet = settings.bool(Name::AllConsole) == Some(false);
+        render::watch(&job, Teller::new(&mut *err, quiet), false)
+    });
+    end(result.map(|()| true), err)
+}
+
 /// The exit code of a result, told if it is no good one.
 fn end(result: Result<bool, Failure>, err: &mut dyn Write) -> u8 {
     match result {
@@ -70,7 +87,9 @@ fn run(
     out: &mut (dyn Write + Send),
     err: &mut (dyn Write + Send),
 ) -> Result<bool, Failure> {
-    match arguments.command {
+    match arguments.command.unwrap_or(Command::Render(arguments.render)) {
+        Command::Render(arguments) => render::render(&arguments, err).map(|()| true),
+        Command::Compare(arguments) => compare::compare(&arguments, out).map(|()| true),
         Command::Check(arguments) => check::check(&arguments, out),
         Command::Dump(arguments) => dump::dump(&arguments, out, err).map(|()| true),
         Command::Diff(arguments) => diff::diff(&arguments, out),

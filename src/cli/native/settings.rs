@@ -1,9 +1,13 @@
 //! povista's arguments as POV-Ray's options, so that both command lines mean the same.
 
-use super::args::Scene;
+use std::path::Path;
+
+use super::args::{Accel, Look, Render, Scene};
 use crate::cli::Problem;
+use crate::cli::output::Format;
 use crate::cli::povray::Environment;
 use crate::cli::settings::{Name, Settings, Value};
+use crate::options::Accelerator;
 
 /// Reads INI files, then what a scene's text can see.
 ///
@@ -27,4 +31,75 @@ pub(super) fn of_scene(scene: &Scene) -> Result<Settings, Problem> {
         settings.set(Name::Clock, Value::Float(clock));
     }
     Ok(settings)
+}
+
+/// Adds how a picture looks.
+pub(super) fn add_look(look: &Look, settings: &mut Settings) {
+    let int = |number: u32| Value::Int(i32::try_from(number).unwrap_or(i32::MAX));
+    let byte = |number: u8| Value::Int(i32::from(number));
+    let mut set = |name: Name, value: Option<Value>| {
+        if let Some(value) = value {
+            settings.set(name, value);
+        }
+    };
+    set(Name::Width, look.size.map(|size| int(size.0)));
+    set(Name::Height, look.size.map(|size| int(size.1)));
+    set(Name::Antialias, look.aa.map(|_| Value::Bool(true)));
+    set(Name::AntialiasThreshold, look.aa.map(Value::Float));
+    set(Name::SamplingMethod, look.aa_method.map(byte));
+    set(Name::AntialiasDepth, look.aa_depth.map(byte));
+    set(Name::Quality, look.quality.map(byte));
+    set(Name::WorkThreads, look.threads.map(int));
+    let ranges =
+        [(look.rows, Name::StartRow, Name::EndRow), (look.columns, Name::StartColumn, Name::EndColumn)];
+    for (range, start, end) in ranges {
+        let (first, last) = range.unwrap_or_default();
+        set(start, first.map(|first| Value::Float(first as f32)));
+        // A last row of 1 would be read as the whole, as POV-Ray reads it.
+        set(end, last.map(|last| Value::Float(if last == 1 { 1.5 } else { last as f32 })));
+    }
+}
+
+/// Adds how a picture is stored.
+///
+/// # Errors
+/// The output's extension is of no format povista writes.
+pub(super) fn add_output(render: &Render, settings: &mut Settings) -> Result<(), Problem> {
+    if render.alpha {
+        settings.set(Name::OutputAlpha, Value::Bool(true));
+    }
+    if let Some(bits) = render.bits {
+        settings.set(Name::BitsPerColor, Value::Int(i32::from(bits)));
+    }
+    let Some(output) = &render.output else { return Ok(()) };
+    settings.set(Name::OutputToFile, Value::Bool(true));
+    settings.set(Name::OutputFileName, Value::Text(output.clone()));
+    if let Some(extension) = extension(output) {
+        let letter = Format::letter_of_extension(extension).ok_or_else(|| {
+            Problem::new(format!("povista writes no `.{extension}` files"))
+                .help("it writes png, ppm, tga, bmp, jpg, hdr and exr")
+        })?;
+        settings.read(Name::OutputFileType, letter)?;
+    }
+    Ok(())
+}
+
+/// Whether an output's name says its format, so that nothing is to be added.
+pub(super) fn has_extension(output: &str) -> bool {
+    extension(output).is_some()
+}
+
+/// The extension of an output that isn't a stream.
+fn extension(output: &str) -> Option<&str> {
+    Path::new(output).extension().and_then(|extension| extension.to_str())
+}
+
+/// The structure that was asked for.
+pub(super) fn accelerator(accel: Accel) -> Accelerator {
+    match accel {
+        Accel::Auto => Accelerator::Auto,
+        Accel::Linear => Accelerator::Linear,
+        Accel::Octree => Accelerator::Octree,
+        Accel::Bvh => Accelerator::Bvh,
+    }
 }

@@ -23,6 +23,11 @@ impl<'w> Teller<'w> {
         Self { err, terminal: Terminal::of_stderr(), quiet, open_line: false }
     }
 
+    /// Says a thing about the options.
+    pub(super) fn warn(&mut self, warning: &str) {
+        self.line(&format!("{} {warning}", self.terminal.bold("warning:")));
+    }
+
     /// Writes text; a terminal that has gone away is no reason to stop.
     fn write(&mut self, text: &str) {
         let _ = self.err.write_all(text.as_bytes());

@@ -1,0 +1,125 @@
+//! `povista compare`: the same scene by both programs.
+
+use std::env;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use super::args::{Compare, Look, Scene};
+use crate::cli::failure::Failure;
+use crate::cli::picture;
+use crate::cli::problem::Problem;
+
+/// What the last lines of a program's complaint are worth showing.
+const LAST_LINES: usize = 12;
+
+/// Renders a scene with both programs and tells how far the pictures are apart.
+///
+/// Both run as a user runs them, one after the other, so that their times can be compared.
+///
+/// # Errors
+/// Either program cannot be started or gives no picture.
+pub(super) fn compare(arguments: &Compare, out: &mut dyn Write) -> Result<(), Failure> {
+    let scene =
+        arguments.scene.scene.as_deref().filter(|scene| *scene != "-").ok_or_else(|| {
+            Problem::new("no scene to compare").help("name one: `povista compare scene.pov`")
+        })?;
+    let folder = tempfile::tempdir()
+        .map_err(|error| Problem::new(format!("cannot make a temporary folder: {error}")))?;
+    let povista =
+        env::current_exe().map_err(|error| Problem::new(format!("cannot find this program: {error}")))?;
+    let words = words(&arguments.scene, &arguments.look);
+    let render = |program: &Path, name: &str| {
+        let path = folder.path().join(name);
+        time(program, scene, &words, &path).map(|time| (path, time))
+    };
+    let (ours_path, ours_time) = render(&povista, "ours.png")?;
+    let (theirs_path, theirs_time) = render(&arguments.povray, "theirs.png")?;
+
+    let (ours, theirs) = (picture::read(&ours_path)?, picture::read(&theirs_path)?);
+    let difference = picture::compare(&ours, &theirs)?;
+    let map = picture::heat_map(&ours, &theirs);
+    let sheet = picture::side_by_side(&[ours.to_rgb8(), theirs.to_rgb8(), map]);
+    let path = arguments.output.clone().unwrap_or_else(|| sheet_path(scene));
+    picture::write(&sheet, &path)?;
+
+    if arguments.json {
+        let json = serde_json::json!({
+            "scene": scene,
+            "picture": path,
+            "difference": difference,
+            "ours_seconds": ours_time.as_secs_f64(),
+            "theirs_seconds": theirs_time.as_secs_f64(),
+        });
+        writeln!(out, "{json}")?;
+    } else {
+        writeln!(out, "{difference}")?;
+        writeln!(out, "povista              {:.2} s", ours_time.as_secs_f64())?;
+        writeln!(out, "{:<20} {:.2} s", name_of(&arguments.povray), theirs_time.as_secs_f64())?;
+        writeln!(out, "ours, theirs and the heat map side by side: {}", path.display())?;
+    }
+    Ok(())
+}
+
+/// The options both programs get, in POV-Ray's words.
+fn words(scene: &Scene, look: &Look) -> Vec<String> {
+    let mut words: Vec<String> = scene.library.iter().map(|folder| format!("+L\"{folder}\"")).collect();
+    words.extend(scene.declare.iter().map(|constant| format!("Declare={constant}")));
+    let mut add = |word: Option<String>| words.extend(word);
+    add(scene.clock.map(|clock| format!("+K{clock}")));
+    add(look.size.map(|size| format!("+W{}", size.0)));
+    add(look.size.map(|size| format!("+H{}", size.1)));
+    // `+A0.3` takes no number of 1 or more, and none without a nought.
+    add(look.aa.map(|_| "+A".to_owned()));
+    add(look.aa.map(|threshold| format!("Antialias_Threshold={threshold}")));
+    add(look.aa_method.map(|method| format!("+AM{method}")));
+    add(look.aa_depth.map(|depth| format!("+R{depth}")));
+    add(look.quality.map(|quality| format!("+Q{quality}")));
+    add(look.threads.map(|threads| format!("+WT{threads}")));
+    for (range, start, end) in [(look.rows, "+SR", "+ER"), (look.columns, "+SC", "+EC")] {
+        let (first, last) = range.unwrap_or_default();
+        add(first.map(|first| format!("{start}{first}")));
+        add(last.map(|last| format!("{end}{last}.5")));
+    }
+    words
+}
+
+/// Runs a program by POV-Ray's command line and takes its time.
+fn time(program: &Path, scene: &str, words: &[String], picture: &Path) -> Result<Duration, Problem> {
+    let name = name_of(program);
+    let start = Instant::now();
+    let Output { status, stderr, .. } = Command::new(program)
+        .arg(format!("+I\"{scene}\""))
+        .args(words)
+        .args(["+FN8", "-D", "-P", "-C"])
+        .arg(format!("+O\"{}\"", picture.display()))
+        .stdin(Stdio::null())
+        .output()
+        .map_err(|error| {
+            Problem::new(format!("cannot run `{name}`: {error}")).help(
+                "install POV-Ray (Debian: `apt install povray povray-includes`), or name it with `--povray`",
+            )
+        })?;
+    let time = start.elapsed();
+    if status.success() {
+        return Ok(time);
+    }
+    let text = String::from_utf8_lossy(&stderr);
+    let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
+    let last = &lines[lines.len().saturating_sub(LAST_LINES)..];
+    Err(Problem::new(format!("`{name}` gave no picture; it said\n{}", last.join("\n"))))
+}
+
+/// A program's name without its folder.
+fn name_of(program: &Path) -> String {
+    program.file_name().unwrap_or(program.as_os_str()).to_string_lossy().into_owned()
+}
+
+/// Where the pictures go side by side: beside the scene.
+fn sheet_path(scene: &str) -> PathBuf {
+    let scene = Path::new(scene);
+    let mut name = scene.file_stem().unwrap_or_default().to_owned();
+    name.push("-compare.png");
+    scene.with_file_name(name)
+}
