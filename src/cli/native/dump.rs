@@ -20,6 +20,6 @@ pub(super) fn dump(
 ) -> Result<(), Failure> {
     let job = Job::new(&settings::of_scene(arguments)?)?;
     let (scene, _) = read::scene(&job, job.first_clock(), &mut Teller::new(err, false))?;
-    writeln!(out, "{}", scene.dump())?;
+    write!(out, "{}", scene.dump())?;
     Ok(())
 }
