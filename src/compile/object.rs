@@ -186,6 +186,9 @@ fn identity(primitive: &Shape) -> Option<*const ()> {
 fn own_list(primitive: &Shape) -> Vec<&Texture> {
     match primitive {
         Shape::Mesh(mesh) => mesh.textures.iter().collect(),
+        Shape::Blob(blob) => {
+            blob.components.iter().filter_map(|component| component.texture.as_ref()).collect()
+        }
         _ => Vec::new(),
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use crate::math::{DMat3, DVec3, Transform};
 use crate::scene::shape as scene;
+use crate::world::shape::blob::{self, Blob};
 use crate::world::shape::r#box::Cuboid;
 use crate::world::shape::cone::Cone;
 use crate::world::shape::cylinder::Cylinder;
@@ -21,7 +22,7 @@ use crate::world::shape::sphere::Sphere;
 use crate::world::shape::superellipsoid::Superellipsoid;
 use crate::world::shape::torus::Torus;
 use crate::world::shape::triangle::Triangle;
-use crate::world::shape::{Primitive, Shape};
+use crate::world::shape::{OWN_TEXTURE, Primitive, Shape};
 
 /// A primitive and where it is in the shape's space.
 #[derive(Clone, Debug)]
@@ -77,7 +78,7 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::Mesh(mesh) => triangles(mesh),
         S::Poly(poly) => Compiled::rare(Poly::new(poly.order, &poly.coefficients)),
         S::BicubicPatch(_) => return Err("bicubic_patch"),
-        S::Blob(_) => return Err("blob"),
+        S::Blob(blob) => Compiled::rare(Some(field(blob))),
         S::HeightField(_) => return Err("height_field"),
         S::Isosurface(_) => return Err("isosurface"),
         S::JuliaFractal(_) => return Err("julia_fractal"),
@@ -135,6 +136,34 @@ fn flat(disc: &scene::Disc) -> Compiled {
     };
     let primitive = Primitive::Disc(Disc { radius: disc.radius, hole: disc.hole });
     Compiled::placed(primitive, turn_z_to(normal).then(&Transform::translate(disc.center)))
+}
+
+/// A blob; the textures of its components are numbered in their order.
+fn field(blob: &scene::Blob) -> Blob {
+    let mut parts = Vec::new();
+    let mut textures = 0..;
+    for component in &blob.components {
+        let texture = component.texture.as_ref().and_then(|_| textures.next()).unwrap_or(OWN_TEXTURE);
+        let place = |radius: f64, turn: Transform, at: DVec3| {
+            let own = Transform::scale(DVec3::splat(radius)).then(&turn).then(&Transform::translate(at));
+            component.transform.as_ref().map_or(own, |further| own.then(further))
+        };
+        match component.kind {
+            scene::BlobKind::Sphere { center, radius } if radius != 0.0 => {
+                let place = place(radius.abs(), Transform::IDENTITY, center);
+                parts.push(blob::Part::ball(&place, component.strength, texture));
+            }
+            scene::BlobKind::Cylinder { base, cap, radius } if radius != 0.0 && base != cap => {
+                let (axis, radius) = (cap - base, radius.abs());
+                let length = axis.length();
+                let place = place(radius, turn_z_to(axis / length), base);
+                let strength = component.strength;
+                parts.extend(blob::Part::capsule(&place, length / radius, strength, texture));
+            }
+            _ => {}
+        }
+    }
+    Blob::new(parts, blob.threshold)
 }
 
 fn triangles(mesh: &Arc<scene::Mesh>) -> Compiled {

@@ -1,5 +1,6 @@
 //! The primitives: one file each, all behind [`Shape`].
 
+pub mod blob;
 pub mod r#box;
 pub mod cone;
 pub mod curve;
@@ -46,6 +47,9 @@ impl Crossing {
         Self { t, part, at: [0.0; 2] }
     }
 }
+
+/// The number that stands for the object's own texture among those of [`Shape::textures`].
+pub const OWN_TEXTURE: u32 = u32::MAX;
 
 /// A geometry in its own space. The space is reached by the caller; directions of rays are not unit.
 ///
@@ -104,7 +108,8 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     }
 
     /// Calls back with the number and weight of every texture of the shape's own list that takes part
-    /// at a crossing; the weights sum to 1. Never called back: the object's texture.
+    /// at a crossing; the weights sum to 1. Never called back: the object's texture, which is otherwise
+    /// [`OWN_TEXTURE`].
     fn textures(&self, _point: DVec3, _crossing: &Crossing, _found: &mut dyn FnMut(u32, f64)) {}
 
     /// Moves a computed hit point onto the surface as exactly as f64 allows.

@@ -100,6 +100,32 @@ impl Bvh {
     }
 }
 
+impl Bvh {
+    /// Visits the parts whose boxes hold a point.
+    pub(in crate::world::shape) fn visit_point(&self, point: DVec3, mut visit: impl FnMut(u32)) {
+        let point = point - self.center;
+        let mut stack = [0_u32; DEPTH * 2];
+        let mut depth = usize::from(!self.nodes.is_empty());
+        while depth > 0 {
+            depth -= 1;
+            let index = stack[depth];
+            let node = &self.nodes[index as usize];
+            let (min, max) = (node.min.map(f64::from), node.max.map(f64::from));
+            let bounds = Bounds { min: min.into(), max: max.into() };
+            if !bounds.contains(point) {
+                continue;
+            }
+            if node.count > 0 {
+                self.order[node.start as usize..][..node.count as usize].iter().for_each(|part| visit(*part));
+            } else {
+                stack[depth] = node.start;
+                stack[depth + 1] = index + 1;
+                depth += 2;
+            }
+        }
+    }
+}
+
 /// A ray prepared for many boxes.
 struct BoxTest {
     origin: DVec3,

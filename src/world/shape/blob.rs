@@ -1,0 +1,343 @@
+//! `blob` (docs/spec/primitives.md 5.1).
+
+use super::mesh::bvh::Bvh;
+use super::stretch::Stretch;
+use super::{Crossing, OWN_TEXTURE, Shape};
+use crate::math::roots::{between, roots_between, with_discriminant};
+use crate::math::{Bounds, DAffine3, DVec3, Transform};
+use crate::world::{Range, Ray};
+
+/// The surface on which the fields of all parts add up to a threshold; inside they are stronger.
+#[derive(Clone, Debug)]
+pub struct Blob {
+    parts: Vec<Part>,
+    threshold: f64,
+    bounds: Bounds,
+    bvh: Bvh,
+}
+
+/// One ball, half-ball or tube around which a field is.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// To the space in which the field ends at distance 1 from the middle.
+    inverse: DAffine3,
+    /// The distance is that from the z axis instead of the origin.
+    tube: bool,
+    /// Where it is cut off along z; the ends belong to the tube.
+    ends: [f64; 2],
+    strength: f64,
+    texture: u32,
+    /// The box around the ball, or both balls of a tube.
+    bounds: Bounds,
+}
+
+impl Part {
+    /// A ball of radius 1 about the origin, put in place by `transform`.
+    pub fn ball(transform: &Transform, strength: f64, texture: u32) -> Self {
+        let ends = [f64::NEG_INFINITY, f64::INFINITY];
+        let (inverse, bounds) = (transform.inverse, around_ball(transform));
+        Self { inverse, tube: false, ends, strength, texture, bounds }
+    }
+
+    /// A tube of radius 1 about the z axis from 0 to `length` with a half-ball at each end.
+    pub fn capsule(transform: &Transform, length: f64, strength: f64, texture: u32) -> [Self; 3] {
+        let low = Self::ball(transform, strength, texture);
+        let high = Self::ball(&Transform::translate(DVec3::Z * length).then(transform), strength, texture);
+        let bounds = low.bounds.union(high.bounds);
+        let tube = Self { tube: true, ends: [0.0, length], bounds, ..low.clone() };
+        let half = |ball: Self, low: f64, high: f64| Self { ends: [low, high], ..ball };
+        [tube, half(low, f64::NEG_INFINITY, 0.0), half(high, 0.0, f64::INFINITY)]
+    }
+
+    /// Strength at a point, and the gradient.
+    fn field(&self, point: DVec3) -> (f64, DVec3) {
+        let p = self.inverse.transform_point3(point);
+        let from = if self.tube { p.with_z(0.0) } else { p };
+        let rest = 1.0 - from.length_squared();
+        let [low, high] = self.ends;
+        let within = if self.tube { low <= p.z && p.z <= high } else { low < p.z && p.z < high };
+        if rest <= 0.0 || !within {
+            return (0.0, DVec3::ZERO);
+        }
+        let slope = self.inverse.matrix3.transpose() * (-4.0 * self.strength * rest * from);
+        (self.strength * rest * rest, slope)
+    }
+
+    /// Where a ray is in the field, and how its distance from the middle, squared, starts and grows.
+    fn meet(&self, ray: &Ray) -> Option<Span> {
+        let o = self.inverse.transform_point3(ray.origin);
+        let d = self.inverse.transform_vector3(ray.direction);
+        let cut = Stretch::slab((self.ends[0], 0), (self.ends[1], 0), o.z, d.z)?;
+        let (f, e) = if self.tube { (o.with_z(0.0), d.with_z(0.0)) } else { (o, d) };
+        let (a, b, c) = (e.length_squared(), f.dot(e), f.length_squared());
+        let span = if a == 0.0 {
+            (c < 1.0).then_some(cut)?
+        } else {
+            let nearest = (f - (b / a) * e).length();
+            let [enter, leave] = with_discriminant(a, b, c - 1.0, a * (1.0 - nearest) * (1.0 + nearest))?;
+            cut.meet(Stretch::new(enter, 0, leave, 0)?)?
+        };
+        let (enter, leave) = (span.enter.t, span.leave.t);
+        (enter < leave && leave.is_finite() && enter.is_finite()).then_some(Span {
+            enter,
+            leave,
+            square: [c, b, a],
+            strength: self.strength,
+        })
+    }
+}
+
+fn around_ball(transform: &Transform) -> Bounds {
+    let m = transform.forward.matrix3.transpose();
+    let half = DVec3::new(m.x_axis.length(), m.y_axis.length(), m.z_axis.length()) * (1.0 + 1e-12);
+    let center = transform.forward.translation;
+    Bounds { min: center - half, max: center + half }
+}
+
+/// The stretch of a ray in a part's field.
+struct Span {
+    enter: f64,
+    leave: f64,
+    /// c, b, a of the squared distance a t² + 2 b t + c.
+    square: [f64; 3],
+    strength: f64,
+}
+
+impl Span {
+    /// Adds the field as a polynomial in the distance from `start`.
+    fn add(&self, start: f64, quartic: &mut [f64; 5]) {
+        let [c, b, a] = self.square;
+        let (e, f, g) = (1.0 - (c + start * (2.0 * b + start * a)), -2.0 * (b + a * start), -a);
+        let terms = [e * e, 2.0 * e * f, f * f + 2.0 * e * g, 2.0 * f * g, g * g];
+        for (sum, term) in quartic.iter_mut().zip(terms) {
+            *sum += self.strength * term;
+        }
+    }
+}
+
+/// Whether a quartic may change its sign between 0 and `end`: not if its Bernstein coefficients agree.
+fn may_change(c: &[f64; 5], end: f64) -> bool {
+    let [a, b, c, d, e] = std::array::from_fn(|i| c[i] * end.powi(i as i32));
+    let bernstein =
+        [a, a + b / 4.0, a + b / 2.0 + c / 6.0, a + 0.75 * b + c / 2.0 + d / 4.0, a + b + c + d + e];
+    !(bernstein.iter().all(|b| *b > 0.0) || bernstein.iter().all(|b| *b < 0.0))
+}
+
+/// How near two events may be to count as one, in units of the stretch of the ray that is in any field.
+const ONE_EVENT: f64 = 1e-13;
+
+impl Blob {
+    /// From parts of any size. Parts without strength are left out.
+    pub fn new(mut parts: Vec<Part>, threshold: f64) -> Self {
+        parts.retain(|part| part.strength != 0.0 && part.bounds.is_finite());
+        let boxes: Vec<_> = parts.iter().map(|part| part.bounds).collect();
+        let strong = parts.iter().filter(|part| part.strength > 0.0);
+        let bounds = if threshold > 0.0 {
+            strong.fold(Bounds::EMPTY, |all, part| all.union(part.bounds))
+        } else {
+            Bounds::ALL
+        };
+        Self { bvh: Bvh::new(&boxes), parts, threshold, bounds }
+    }
+
+    /// Strength at a point above the threshold, and the gradient.
+    fn value(&self, point: DVec3) -> (f64, DVec3) {
+        let (mut value, mut slope) = (-self.threshold, DVec3::ZERO);
+        self.around(point, |_, field, gradient| {
+            value += field;
+            slope += gradient;
+        });
+        (value, slope)
+    }
+
+    /// Calls back with every part whose field reaches a point.
+    fn around(&self, point: DVec3, mut found: impl FnMut(&Part, f64, DVec3)) {
+        self.bvh.visit_point(point, |part| {
+            let part = &self.parts[part as usize];
+            let (field, gradient) = part.field(point);
+            if field != 0.0 {
+                found(part, field, gradient);
+            }
+        });
+    }
+
+    /// Calls back with the distance of every crossing on the line, ascending, until it returns `false`.
+    fn walk(&self, ray: &Ray, mut found: impl FnMut(f64) -> bool) {
+        let center = if self.bounds.is_finite() { self.bounds.center() } else { DVec3::ZERO };
+        let (shift, ray) = ray.moved_to(center);
+        let mut spans = Vec::new();
+        self.bvh.visit(&ray, Range::LINE, |part, _| {
+            spans.extend(self.parts[part as usize].meet(&ray));
+            None
+        });
+        let mut events: Vec<f64> = spans.iter().flat_map(|span| [span.enter, span.leave]).collect();
+        events.sort_by(f64::total_cmp);
+        events.dedup();
+        // The sum at the end of one gap is that at the start of the next.
+        let mut value = -self.threshold;
+        for gap in events.windows(2) {
+            let (start, length) = (gap[0], gap[1] - gap[0]);
+            let middle = start + 0.5 * length;
+            // Where a tube ends and its half-ball begins: the two planes are one but for rounding.
+            if length <= ONE_EVENT * (events[events.len() - 1] - events[0]) {
+                continue;
+            }
+            let mut quartic = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
+            for span in spans.iter().filter(|span| span.enter < middle && middle < span.leave) {
+                span.add(start, &mut quartic);
+            }
+            let at = |t: f64| quartic.iter().rev().fold(0.0, |sum, c| sum * t + c);
+            let mut from = (0.0, value);
+            if may_change(&quartic, length) || (value > 0.0) != (quartic[0] > 0.0) {
+                let seeds = roots_between::<5>(&quartic, 0.0, length);
+                let middles = seeds.as_slice().windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+                for t in middles.chain([length]) {
+                    let to = (t, at(t));
+                    if (from.1 > 0.0) != (to.1 > 0.0) && !found(start + between(from, to, at) + shift) {
+                        return;
+                    }
+                    from = to;
+                }
+                value = from.1;
+            } else {
+                value = at(length);
+            }
+        }
+    }
+}
+
+impl Shape for Blob {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        self.walk(ray, |t| {
+            if range.contains(t) {
+                out.push(Crossing::new(t, 0));
+            }
+            t < range.max
+        });
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let mut nearest = None;
+        self.walk(ray, |t| {
+            nearest = range.contains(t).then(|| Crossing::new(t, 0));
+            nearest.is_none() && t < range.max
+        });
+        nearest
+    }
+
+    fn inside(&self, point: DVec3) -> bool {
+        let rounding = 8.0 * f64::EPSILON * self.threshold.abs();
+        self.value(point).0 >= -rounding
+    }
+
+    fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
+        let slope = self.value(point).1;
+        if slope == DVec3::ZERO { DVec3::X } else { -slope }
+    }
+
+    fn textures(&self, point: DVec3, _crossing: &Crossing, found: &mut dyn FnMut(u32, f64)) {
+        if self.parts.iter().all(|part| part.texture == OWN_TEXTURE) {
+            return;
+        }
+        let mut sum = 0.0;
+        self.around(point, |_, field, _| sum += field.abs());
+        self.around(point, |part, field, _| found(part.texture, field.abs() / sum));
+    }
+
+    fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
+        let (value, slope) = self.value(point);
+        let step = slope * (value / slope.length_squared());
+        // Where the gradient vanishes the step leads anywhere.
+        let near = step.length_squared() <= 1e-12 * self.bounds.size().length_squared();
+        if near { point - step } else { point }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::battery::{battery, table};
+    use super::*;
+
+    fn ball(center: [f64; 3], radius: f64, strength: f64) -> Part {
+        let place = Transform::scale(DVec3::splat(radius)).then(&Transform::translate(center.into()));
+        Part::ball(&place, strength, OWN_TEXTURE)
+    }
+
+    /// The probed blob of three, in another size and place.
+    fn three(size: f64, at: DVec3) -> Blob {
+        let parts = [([0.0, 0.0, 0.0], 1.5, 1.2), ([1.0, 0.3, 0.0], 1.4, 0.9), ([0.4, 0.6, -0.5], 0.6, -0.7)];
+        let place = |center: [f64; 3]| (at + size * DVec3::from(center)).to_array();
+        let parts = parts.map(|(center, radius, strength)| ball(place(center), size * radius, strength));
+        Blob::new(parts.to_vec(), 0.4)
+    }
+
+    fn capsule() -> Blob {
+        let place = Transform::rotate(DVec3::Y * 90.0).then(&Transform::translate(DVec3::NEG_X));
+        Blob::new(Part::capsule(&place, 2.0, 1.0, OWN_TEXTURE).to_vec(), 0.5)
+    }
+
+    battery! {
+        balls: |size, at| three(0.6 * size, at);
+        tube: || capsule();
+    }
+
+    #[test]
+    fn probes_agree_with_povray() {
+        table(
+            &Blob::new(vec![ball([0.0; 3], 2.0, 1.0)], 0.5),
+            "from <0.1,0.2,-5> dir <0,0,1> | P <0.1, 0.2, -1.059043377418418> N <0.092387953251129, 0.184775906502257, -0.978428500438502>
+            from <0,0,0> dir <1,0,0> | P <1.082392200292394, 0, 0> N <1, 0, 0>
+            inside <1.0823921,0,0> | 1
+            inside <1.0823926,0,0> | 0
+            extent | <-2, -2, -2> .. <2, 2, 2>",
+        );
+        table(
+            &three(1.0, DVec3::ZERO),
+            "from <0.1,0.2,-5> dir <0.05,0.01,1> | P <0.302017233595763, 0.240403446719153, -0.959655328084748> N <0.000014241195265, 0.209314027365438, -0.977848473816495>
+            from <0.45,0.5,-5> dir <0,0,1> | P <0.45, 0.5, -0.468250058361426> N <-0.176895318621634, 0.738015236367854, -0.651184733496303>
+            inside <0.4,0.6,-0.5> | 0
+            inside <0.5,0.2,0> | 1
+            extent | <-1.5, -1.5, -1.5> .. <2.400000095367432, 1.700000047683716, 1.5>",
+        );
+        table(
+            &capsule(),
+            "from <0.3,5,0.1> dir <0,-1,0> | P <0.3, 0.53187707114845, 0.1> N <0, 0.982780679692203, 0.184775906502257>
+            from <1.3,5,0.1> dir <0,-1,0> | P <1.3, 0.439196105188969, 0.1> N <0.554327719507048, 0.811528584685931, 0.184775906502349>
+            from <-5,0.1,0.1> dir <1,0,0> | P <-1.522391824987195, 0.1, 0.1> N <-0.965254230113776, 0.184775906502257, 0.184775906502257>
+            inside <1.5,0,0> | 1
+            inside <1.55,0,0> | 0",
+        );
+    }
+
+    #[test]
+    fn a_stretched_and_turned_component_keeps_its_tips() {
+        // POV-Ray's box cuts them at 7.778.
+        let place = Transform::scale(DVec3::new(1.0, 1.0, 10.0)).then(&Transform::rotate(DVec3::Y * 45.0));
+        let blob = Blob::new(vec![Part::ball(&place, 1.0, OWN_TEXTURE)], 0.1);
+        table(&blob, "inside <5.7,0,5.7> | 1\ninside <5.4,0,5.4> | 1\ninside <5.9,0,5.9> | 0");
+        assert!(blob.bounds().max.x > 7.0 && blob.bounds().max.x < 7.2);
+    }
+
+    #[test]
+    fn textures_are_weighed_by_the_strength_of_their_fields() {
+        let mut parts = [ball([-0.5, 0.0, 0.0], 1.0, 1.0), ball([0.5, 0.0, 0.0], 1.0, -3.0)];
+        parts[0].texture = 4;
+        let mut found = Vec::new();
+        let blob = Blob::new(parts.to_vec(), 0.5);
+        blob.textures(DVec3::ZERO, &Crossing::new(0.0, 0), &mut |texture, weight| {
+            found.push((texture, weight))
+        });
+        found.sort_by_key(|(texture, _)| *texture);
+        assert_eq!(found, [(4, 0.25), (OWN_TEXTURE, 0.75)]);
+    }
+
+    #[test]
+    fn a_blob_that_only_carves_is_nowhere() {
+        let blob = Blob::new(vec![ball([0.0; 3], 1.0, -1.0)], 0.5);
+        assert!(blob.bounds().is_empty() && !blob.inside(DVec3::ZERO));
+    }
+}
