@@ -167,6 +167,9 @@ impl Flattener {
 }
 
 fn compile(primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> {
+    if let Shape::HeightField(field) = primitive {
+        return shape::height_field::height_field(field);
+    }
     shape::shape(primitive).map_err(|keyword| Unsupported::new(object.span, format!("`{keyword}`")))
 }
 

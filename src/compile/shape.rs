@@ -1,11 +1,13 @@
 //! Shapes of the description to primitives.
 
+pub mod height_field;
 mod outline;
 
 use std::sync::Arc;
 
 use crate::math::{DMat3, DVec3, Transform};
 use crate::scene::shape as scene;
+use crate::world::shape::bicubic_patch::BicubicPatch;
 use crate::world::shape::blob::{self, Blob};
 use crate::world::shape::r#box::Cuboid;
 use crate::world::shape::cone::Cone;
@@ -57,7 +59,8 @@ impl From<Primitive> for Compiled {
 /// Compiles a geometry; the error is the keyword of one that povista can't render yet.
 ///
 /// What POV-Ray accepts and never hits (docs/spec/primitives.md 1.9) becomes an empty shape. Compound
-/// objects and lights are no primitives: they come back as errors too.
+/// objects and lights are no primitives: they come back as errors too, and height fields, whose
+/// images may be broken, have a function of their own: [`height_field::height_field`].
 pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
     use scene::Shape as S;
     Ok(match shape {
@@ -77,7 +80,7 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::Quadric(q) => Compiled::rare(Some(Quadric::new(q.squares, q.products, q.linear, q.constant))),
         S::Mesh(mesh) => triangles(mesh),
         S::Poly(poly) => Compiled::rare(Poly::new(poly.order, &poly.coefficients)),
-        S::BicubicPatch(_) => return Err("bicubic_patch"),
+        S::BicubicPatch(p) => Compiled::rare(BicubicPatch::new(&p.points, p.flatness, p.steps, p.uv)),
         S::Blob(blob) => Compiled::rare(Some(field(blob))),
         S::HeightField(_) => return Err("height_field"),
         S::Isosurface(_) => return Err("isosurface"),

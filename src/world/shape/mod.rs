@@ -1,5 +1,6 @@
 //! The primitives: one file each, all behind [`Shape`].
 
+pub mod bicubic_patch;
 pub mod blob;
 pub mod r#box;
 pub mod cone;
@@ -7,6 +8,7 @@ pub mod curve;
 pub mod cylinder;
 pub mod disc;
 pub mod empty;
+pub mod height_field;
 pub mod lathe;
 pub mod mesh;
 pub mod plane;

@@ -146,8 +146,11 @@ impl Shape for Triangle {
         }
     }
 
-    fn geometric_normal(&self, _point: DVec3, _crossing: &Crossing) -> DVec3 {
-        face_normal(self.corners)
+    /// On the side of the interpolated one, where there is one.
+    fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
+        let normal = face_normal(self.corners);
+        let smooth = self.normals.as_ref().map(|normals| blend(**normals, crossing.at));
+        if smooth.is_some_and(|smooth| smooth.dot(normal) < 0.0) { -normal } else { normal }
     }
 
     fn reproject(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {

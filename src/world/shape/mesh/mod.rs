@@ -153,8 +153,14 @@ impl Shape for Mesh {
         }
     }
 
+    /// On the side of the interpolated one, where there is one.
     fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
-        face_normal(self.corners(crossing.part))
+        let normal = face_normal(self.corners(crossing.part));
+        let Some(indices) = self.faces[crossing.part as usize].normals else {
+            return normal;
+        };
+        let smooth = blend(indices.map(|i| self.lists.normals[i as usize]), crossing.at);
+        if smooth.dot(normal) < 0.0 { -normal } else { normal }
     }
 
     fn uv(&self, _point: DVec3, crossing: &Crossing) -> Option<DVec2> {

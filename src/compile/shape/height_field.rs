@@ -1,0 +1,58 @@
+//! The samples of a `height_field` (docs/spec/primitives.md 5.4).
+
+use super::Compiled;
+use crate::compile::Unsupported;
+use crate::compile::image::Use;
+use crate::compile::texture::TextureCompiler;
+use crate::scene::settings::Settings;
+use crate::scene::shape as scene;
+use crate::world::image::{Image, Pixels};
+use crate::world::shape::height_field::HeightField;
+
+/// The greatest sample.
+const WHITE: f32 = 65535.0;
+
+/// What POV-Ray takes of red, green and blue for their grey.
+const GREY: [f32; 3] = [0.297, 0.589, 0.114];
+
+/// Compiles a height field.
+///
+/// # Errors
+/// An image that can't be used.
+pub fn height_field(field: &scene::HeightField) -> Result<Compiled, Unsupported> {
+    let settings = Settings::default();
+    let image = TextureCompiler::new(&settings).image(&field.image, Use::Number)?;
+    // The image's top row is the farthest.
+    let rows = (0..image.height).rev();
+    let heights = rows.flat_map(|y| (0..image.width).map(move |x| (x, y)));
+    let heights = heights.map(|(x, y)| sample(&image, x, y)).collect();
+    let size = [image.width, image.height];
+    Ok(Compiled::rare(HeightField::new(size, heights, field.water_level, field.smooth)))
+}
+
+/// The height of a pixel.
+fn sample(image: &Image, x: usize, y: usize) -> u16 {
+    let at = y * image.width + x;
+    match &image.pixels {
+        Pixels::Palette { indices, .. } => u16::from(indices[at]) * 256,
+        Pixels::Bytes { channels, data, .. } => match data[at * channels..][..*channels] {
+            [grey] | [grey, _] => u16::from(grey) * 257,
+            [red, green, ..] => u16::from(red) * 256 + u16::from(green),
+            [] => 0,
+        },
+        Pixels::Words { channels, data, .. } => match data[at * channels..][..*channels] {
+            [grey] | [grey, _] => grey,
+            [r, g, b, ..] => (grey([r, g, b].map(|v| f32::from(v) / WHITE)) * WHITE) as u16,
+            [] => 0,
+        },
+        Pixels::Floats(data) => {
+            let [r, g, b, _] = data[at];
+            let value = if r == g && g == b { r } else { grey([r, g, b]) };
+            (value * WHITE) as u16
+        }
+    }
+}
+
+fn grey([r, g, b]: [f32; 3]) -> f32 {
+    GREY[0] * r + GREY[1] * g + GREY[2] * b
+}

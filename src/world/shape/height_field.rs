@@ -1,0 +1,270 @@
+//! `height_field` (docs/spec/primitives.md 5.4).
+
+use super::mesh::bvh::Bvh;
+use super::triangle::{Meeting, Sheared, face_normal};
+use super::{Crossing, Shape};
+use crate::math::{Bounds, DVec3};
+use crate::world::{Range, Ray};
+
+/// Two triangles over each cell of a grid on the unit square in x and z.
+///
+/// The part of a crossing is the cell's number times 2, and 1 more for the triangle away from the
+/// origin; [`Crossing::at`] are the weights of its second and third corner.
+#[derive(Clone, Debug)]
+pub struct HeightField {
+    /// Samples along x and z.
+    size: [usize; 2],
+    /// Row by row, z upward.
+    heights: Vec<u16>,
+    /// Everything below is cut away.
+    water: f64,
+    smooth: bool,
+    bounds: Bounds,
+    /// Over blocks of cells.
+    bvh: Bvh,
+    /// Blocks along x.
+    blocks: usize,
+}
+
+/// Cells along each side of a block.
+const BLOCK: usize = 4;
+
+/// Samples that make a height of 1.
+const FULL: f64 = 65536.0;
+
+/// Steps of a stored normal.
+const NORMAL_STEPS: f64 = 32767.0;
+
+impl HeightField {
+    /// From the sizes along x and z, at least 2 each, and the samples row by row from z = 0.
+    /// `None` where their number is another one.
+    pub fn new(size: [usize; 2], heights: Vec<u16>, water: f64, smooth: bool) -> Option<Self> {
+        let [width, depth] = size;
+        if width < 2 || depth < 2 || width.checked_mul(depth) != Some(heights.len()) {
+            return None;
+        }
+        let blocks = [width, depth].map(|samples| (samples - 1).div_ceil(BLOCK));
+        let bvh = Bvh::new(&[]);
+        let bounds = Bounds::EMPTY;
+        let field = Self { size, heights, water, smooth, bounds, bvh, blocks: blocks[0] };
+        let boxes: Vec<_> = (0..blocks[0] * blocks[1]).map(|block| field.block(block)).collect();
+        let mut bounds = boxes.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
+        bounds.min.y = bounds.min.y.max(water);
+        let bounds = if bounds.is_empty() { Bounds::EMPTY } else { bounds };
+        Some(Self { bvh: Bvh::new(&boxes), bounds, ..field })
+    }
+
+    fn height(&self, x: usize, z: usize) -> f64 {
+        f64::from(self.heights[z * self.size[0] + x])
+    }
+
+    /// The point of the surface at a sample.
+    fn corner(&self, x: usize, z: usize) -> DVec3 {
+        let [width, depth] = self.size;
+        DVec3::new(x as f64 / (width - 1) as f64, self.height(x, z) / FULL, z as f64 / (depth - 1) as f64)
+    }
+
+    /// The cells of a block along x and z.
+    fn cells(&self, block: usize) -> [std::ops::Range<usize>; 2] {
+        let along = |block: usize, samples: usize| block * BLOCK..((block + 1) * BLOCK).min(samples - 1);
+        [along(block % self.blocks, self.size[0]), along(block / self.blocks, self.size[1])]
+    }
+
+    fn block(&self, block: usize) -> Bounds {
+        let [xs, zs] = self.cells(block);
+        let corners = (zs.start..=zs.end).flat_map(|z| (xs.start..=xs.end).map(move |x| (x, z)));
+        Bounds::of(corners.map(|(x, z)| self.corner(x, z)))
+    }
+
+    /// The corners of a part, in the order of a crossing's weights.
+    fn triangle(&self, part: u32) -> [DVec3; 3] {
+        let (cell, far) = (part as usize / 2, part % 2 == 1);
+        let (x, z) = (cell % self.size[0], cell / self.size[0]);
+        let near = if far { (x + 1, z + 1) } else { (x, z) };
+        [near, (x + 1, z), (x, z + 1)].map(|(x, z)| self.corner(x, z))
+    }
+
+    /// Calls back with everything a ray meets above the water; the answer is a new upper end.
+    fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(u32, Meeting) -> Option<f64>) {
+        let sheared = Sheared::new(ray);
+        self.bvh.visit(ray, range, |block, range| {
+            let mut max = range.max;
+            let [xs, zs] = self.cells(block as usize);
+            for z in zs {
+                for x in xs.clone() {
+                    let cell = (z * self.size[0] + x) as u32;
+                    for part in [2 * cell, 2 * cell + 1] {
+                        let hit = sheared.meet(self.triangle(part));
+                        let hit = hit.filter(|hit| range.min < hit.t && hit.t < max);
+                        if let Some(hit) = hit.filter(|hit| ray.at(hit.t).y >= self.water) {
+                            max = found(part, hit).unwrap_or(max);
+                        }
+                    }
+                }
+            }
+            Some(max)
+        });
+    }
+
+    /// The normal POV-Ray keeps for a sample: the mean of up to four triangles around it, in the space
+    /// of samples, coarsely rounded.
+    fn sample_normal(&self, x: usize, z: usize) -> DVec3 {
+        let here = self.height(x, z);
+        let rise = |to: Option<(usize, usize)>, sense: f64| {
+            let (x, z) = to.filter(|(x, z)| *x < self.size[0] && *z < self.size[1])?;
+            Some(sense * (self.height(x, z) - here))
+        };
+        let along_x = [rise(Some((x + 1, z)), 1.0), rise(x.checked_sub(1).map(|x| (x, z)), -1.0)];
+        let along_z = [rise(Some((x, z + 1)), 1.0), rise(z.checked_sub(1).map(|z| (x, z)), -1.0)];
+        let mut sum = DVec3::ZERO;
+        for x in along_x.into_iter().flatten() {
+            for z in along_z.into_iter().flatten() {
+                sum += DVec3::new(-x, 1.0, -z).normalize();
+            }
+        }
+        let coarse = (sum.normalize() * NORMAL_STEPS).trunc();
+        let [width, depth] = self.size;
+        (coarse * DVec3::new((width - 1) as f64, FULL, (depth - 1) as f64)).normalize()
+    }
+}
+
+impl Shape for HeightField {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        let from = out.len();
+        let mut edges = Vec::new();
+        self.walk(ray, range, |part, hit| {
+            let list = if hit.on_edge { &mut edges } else { &mut *out };
+            list.push(Crossing { t: hit.t, part, at: hit.at });
+            None
+        });
+        // Neighbours both report a shared edge: keep one of them.
+        edges.sort_by(|a, b| a.t.total_cmp(&b.t));
+        edges.dedup_by(|next, kept| (next.t - kept.t).abs() <= 16.0 * f64::EPSILON * kept.t.abs());
+        out.append(&mut edges);
+        out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let mut nearest = None;
+        self.walk(ray, range, |part, hit| {
+            nearest = Some(Crossing { t: hit.t, part, at: hit.at });
+            Some(hit.t)
+        });
+        nearest
+    }
+
+    /// Below the surface without end, and below the water everywhere.
+    fn inside(&self, point: DVec3) -> bool {
+        let [width, depth] = self.size;
+        let (x, z) = (point.x * (width - 1) as f64, point.z * (depth - 1) as f64);
+        let within = |v: f64, samples: usize| v >= 0.0 && v < (samples - 1) as f64;
+        if !within(x, width) || !within(z, depth) || point.y.is_nan() || point.y >= self.bounds.max.y {
+            return false;
+        }
+        if point.y < self.bounds.min.y {
+            return true;
+        }
+        let (cell_x, cell_z) = (x as usize, z as usize);
+        let (u, v) = (x.fract(), z.fract());
+        let height = |x: usize, z: usize| (self.height(x, z) / FULL).max(self.water);
+        let (across, along) = (height(cell_x + 1, cell_z), height(cell_x, cell_z + 1));
+        let surface = if u + v < 1.0 {
+            let near = height(cell_x, cell_z);
+            near + u * (across - near) + v * (along - near)
+        } else {
+            let far = height(cell_x + 1, cell_z + 1);
+            far + (1.0 - u) * (along - far) + (1.0 - v) * (across - far)
+        };
+        point.y < surface
+    }
+
+    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        if !self.smooth {
+            return self.geometric_normal(point, crossing);
+        }
+        let [width, depth] = self.size;
+        let cell = crossing.part as usize / 2;
+        let (x, z) = (cell % width, cell / width);
+        let u = (point.x * (width - 1) as f64 - x as f64).clamp(0.0, 1.0);
+        let v = (point.z * (depth - 1) as f64 - z as f64).clamp(0.0, 1.0);
+        let row = |z: usize| self.sample_normal(x, z).lerp(self.sample_normal(x + 1, z), u);
+        row(z).lerp(row(z + 1), v)
+    }
+
+    fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
+        let normal = face_normal(self.triangle(crossing.part));
+        if normal.y < 0.0 { -normal } else { normal }
+    }
+
+    fn reproject(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
+        super::triangle::blend(self.triangle(crossing.part), crossing.at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::battery::{battery, table};
+    use super::*;
+
+    /// The function of the probes, x²/2 + y·0.3, on 4 by 4 samples; row 0 is at the top.
+    fn probed(water: f64, smooth: bool) -> HeightField {
+        let sample = |i: usize| {
+            let (x, z) = ((i % 4) as f64 / 3.0, (i / 4) as f64 / 3.0);
+            ((x * x * 0.5 + (1.0 - z) * 0.3) * 65535.0) as u16
+        };
+        HeightField::new([4, 4], (0..16).map(sample).collect(), water, smooth).unwrap()
+    }
+
+    fn hills() -> HeightField {
+        let sample = |i: usize| {
+            let (x, z) = ((i % 40) as f64 / 39.0, (i / 40) as f64 / 29.0);
+            ((0.5 + 0.3 * (9.0 * x).sin() * (7.0 * z).cos()) * 65535.0) as u16
+        };
+        HeightField::new([40, 30], (0..1200).map(sample).collect(), 0.0, false).unwrap()
+    }
+
+    battery! {
+        hilly: || hills(), surface;
+    }
+
+    #[test]
+    fn probes_agree_with_povray() {
+        let bounds = "inside <0.2,0.05,0.3> | 1
+            inside <0.2,0.5,0.3> | 0
+            inside <0.2,-5,0.3> | 1
+            inside <1,0.05,0.3> | 0
+            extent | <0, -0.00000001525879, 0> .. <1, 0.799987852573395, 1>";
+        table(&probed(0.0, false), bounds);
+        table(
+            &probed(0.0, false),
+            "from <0.2,5,0.3> dir <0,-1,0> | P <0.2, 0.24332275390625, 0.3> N <-0.157603360082419, 0.945851081168625, 0.283772643401146>
+            from <0.5,5,0.5> dir <0,-1,0> | P <0.5, 0.28887939453125, 0.5> N <-0.431910997098117, 0.863874720924806, 0.259178234296013>
+            from <-1,0.6,0.2> dir <1,-0.3,0.1> | P <0.206132533741517, 0.238160239877545, 0.320613253374152> N <-0.157603360082419, 0.945851081168625, 0.283772643401146>
+            from <0.9,-1,0.9> dir <0,1,0> | P <0.9, 0.4466552734375, 0.9> N <-0.623820186898311, 0.748602500706212, 0.224594457533044>",
+        );
+        table(
+            &probed(0.0, true),
+            "from <0.2,5,0.3> dir <0,-1,0> | P <0.2, 0.24332275390625, 0.3> N <-0.255393299447329, 0.913575168926646, 0.316472231511799>
+            from <0.5,5,0.5> dir <0,-1,0> | P <0.5, 0.28887939453125, 0.5> N <-0.43007348581365, 0.854354501085003, 0.291745065555344>",
+        );
+        table(
+            &probed(0.25, false),
+            "from <0.2,5,0.3> dir <0,-1,0> | miss
+            from <0.9,5,0.7> dir <0,-1,0> | P <0.9, 0.506655883789063, 0.7> N <-0.623845919823135, 0.748592258565027, 0.224557116869047>
+            from <0.2,-5,0.9> dir <0,1,0> | miss
+            inside <0.2,0.1,0.3> | 1
+            inside <0.9,0.26,0.7> | 1
+            extent | <0, 0.249999985098839, 0> .. <1, 0.799987852573395, 1>",
+        );
+    }
+
+    #[test]
+    fn the_wrong_number_of_samples_makes_no_field() {
+        assert!(HeightField::new([4, 4], vec![0; 15], 0.0, false).is_none());
+        assert!(HeightField::new([1, 4], vec![0; 4], 0.0, false).is_none());
+    }
+}
