@@ -32,10 +32,14 @@ impl Array {
         self.elements.get(index)?.as_ref()
     }
 
+    /// An element that is set: all others are of its kind.
+    pub fn sample(&self) -> Option<&Value> {
+        self.get(self.sample?)
+    }
+
     /// Sets an element. The error says what kind the array holds.
     pub fn set(&mut self, index: usize, value: Value) -> Result<(), String> {
-        let sample = self.sample.and_then(|sample| self.get(sample));
-        if let Some(sample) = sample
+        if let Some(sample) = self.sample()
             && !sample.same_kind(&value)
             && !matches!(value, Value::Poisoned)
         {

@@ -14,7 +14,14 @@ use crate::syntax::{Punct, Symbol};
 impl Vm<'_> {
     /// Reads FULL: comparisons, logic and `?:` as well.
     pub(super) fn full(&mut self, n: u8) -> Result<Tuple> {
-        let start = self.peek()?.span;
+        match self.replay(true, n) {
+            Some(value) => Ok(value),
+            None => self.choice(n),
+        }
+    }
+
+    fn choice(&mut self, n: u8) -> Result<Tuple> {
+        let start = self.peek_raw().span;
         let condition = self.logic(n)?;
         if self.operator()? != Some(Punct::Question) {
             return Ok(condition);
@@ -52,14 +59,14 @@ impl Vm<'_> {
         if self.at_string()? {
             return self.compare_strings();
         }
-        let mut left = self.arith(n)?;
+        let mut left = self.sum(n)?;
         loop {
             let f = match self.operator()?.and_then(comparison) {
                 Some(f) => f,
                 None => return Ok(left),
             };
             self.next()?;
-            let right = self.arith(left.n)?;
+            let right = self.sum(left.n)?;
             left = left.zip(right, f);
         }
     }
@@ -77,6 +84,13 @@ impl Vm<'_> {
 
     /// Reads ARITH: sums of products.
     pub(super) fn arith(&mut self, n: u8) -> Result<Tuple> {
+        match self.replay(false, n) {
+            Some(value) => Ok(value),
+            None => self.sum(n),
+        }
+    }
+
+    fn sum(&mut self, n: u8) -> Result<Tuple> {
         let mut left = self.term(n)?;
         loop {
             match self.operator()? {
@@ -318,7 +332,7 @@ impl Vm<'_> {
     }
 }
 
-fn comparison(punct: Punct) -> Option<fn(f64, f64) -> f64> {
+pub(super) fn comparison(punct: Punct) -> Option<fn(f64, f64) -> f64> {
     Some(match punct {
         Punct::Less => test::less,
         Punct::LessEqual => test::at_most,

@@ -1,9 +1,10 @@
 //! Macros: what is kept of one, and how it is called. docs/spec/language.md 2.8.
 
+use super::program::Code;
 use super::stream::{Entered, Frame, TokenKind};
 use super::{Result, Vm};
 use crate::source::Span;
-use crate::syntax::{Punct, Symbol, Tree};
+use crate::syntax::{Punct, Symbol};
 use std::rc::Rc;
 
 /// A macro: a stretch of nodes that is read again at each call.
@@ -12,7 +13,7 @@ pub struct Macro {
     /// The names of its parameters.
     pub parameters: Vec<Symbol>,
     /// The file it was written in.
-    pub(super) tree: Rc<Tree>,
+    pub(super) tree: Rc<Code>,
     /// The first node of the body.
     pub(super) start: usize,
     /// The node of its `#end`.

@@ -50,6 +50,7 @@ pub mod format;
 mod function;
 pub mod limits;
 pub mod macros;
+mod program;
 mod read;
 mod recover;
 pub mod scope;
@@ -70,7 +71,8 @@ use crate::diag::{Diagnostic, Severity, Sink};
 use crate::options::{Declared, LanguageOptions};
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
-use crate::syntax::{Punct, Symbols, Tree};
+use crate::syntax::{Punct, Symbols};
+use program::Code;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scope::{Place, Scopes};
 use std::rc::Rc;
@@ -105,7 +107,7 @@ pub struct Vm<'a> {
     pub last: Span,
     sink: &'a mut dyn Sink,
     symbols: Symbols,
-    trees: FxHashMap<FileId, Rc<Tree>>,
+    trees: FxHashMap<FileId, Rc<Code>>,
     frame: stream::Frame,
     frames: Vec<stream::Frame>,
     blocks: Vec<directive::Open>,
@@ -120,6 +122,10 @@ pub struct Vm<'a> {
     dropped_hash: Option<Span>,
     /// Braces that are open.
     depth: i32,
+    /// Loops that are open.
+    loops: u32,
+    /// Where compiled expressions calculate.
+    stack: Vec<f64>,
     /// Levels of nesting of what is being read.
     nesting: u32,
     turns: u64,
@@ -153,7 +159,7 @@ impl<'a> Vm<'a> {
         sink: &'a mut dyn Sink,
     ) -> Vm<'a> {
         let mut symbols = Word::symbols();
-        let tree = Rc::new(crate::syntax::parse(main, sources.get(main), &mut symbols));
+        let tree = Code::new(crate::syntax::parse(main, sources.get(main), &mut symbols));
         let last = Span { file: main, ..Span::default() };
         let frame = stream::Frame { end: tree.nodes.len(), tree, pos: 0, entered: None, blocks: 0 };
         let mut vm = Vm {
@@ -177,6 +183,8 @@ impl<'a> Vm<'a> {
             blocked: false,
             dropped_hash: None,
             depth: 0,
+            loops: 0,
+            stack: Vec::new(),
             nesting: 0,
             turns: 0,
             version_written: false,

@@ -63,7 +63,16 @@ impl Vm<'_> {
 
     /// Takes a comma if there is one.
     pub fn comma(&mut self) -> Result<()> {
-        self.accept_punct(Punct::Comma)?;
+        // Most often one look tells; what may run and leave a comma is found out by running it.
+        let token = self.peek_raw();
+        match token.kind {
+            TokenKind::Punct(Punct::Comma) => {
+                self.next_raw();
+            }
+            TokenKind::Punct(Punct::Hash) => drop(self.accept_punct(Punct::Comma)?),
+            TokenKind::Name(symbol) if self.is_macro(symbol) => drop(self.accept_punct(Punct::Comma)?),
+            _ => {}
+        }
         Ok(())
     }
 
@@ -246,6 +255,11 @@ impl Vm<'_> {
         self.place.as_ref().and_then(Place::get).is_some_and(|value| matches!(value, Value::Poisoned))
     }
 
+    fn is_macro(&self, symbol: Symbol) -> bool {
+        let place = self.scopes.find(symbol).and_then(Place::look);
+        place.is_some_and(|value| matches!(*value, Value::Macro(_)))
+    }
+
     /// How a name is written.
     pub fn name(&self, symbol: Symbol) -> &str {
         self.symbols.name(symbol)
@@ -287,7 +301,7 @@ impl Vm<'_> {
     /// Reads an ARITH expression that has to have at most `n` components, and fills it up to `n`.
     fn read_sized(&mut self, n: u8, what: &str) -> Result<Tuple> {
         let blocked = std::mem::replace(&mut self.blocked, false);
-        let start = self.peek()?.span;
+        let start = self.peek_raw().span;
         let tuple = self.arith(n);
         self.blocked = blocked;
         self.fit(tuple?, n, what, start)

@@ -105,11 +105,11 @@ impl Vm<'_> {
                 drop(self.push_block(BlockKind::Arm { last: false }, span));
             }
             _ if directive.continues() => {
-                if self.blocks.pop().is_some() && link != NO_LINK {
+                if self.pop_block().is_some() && link != NO_LINK {
                     self.frame.pos = self.end_of(link as usize) + 1;
                 }
             }
-            Directive::End => drop(self.blocks.pop()),
+            Directive::End => drop(self.pop_block()),
             _ => {}
         }
     }

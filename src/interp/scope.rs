@@ -169,6 +169,11 @@ impl Scopes {
         self.deprecated.insert(symbol, note);
     }
 
+    /// Whether any name is marked as deprecated.
+    pub fn has_deprecated(&self) -> bool {
+        !self.deprecated.is_empty()
+    }
+
     /// The note to give when a name is used, if there is one.
     #[inline]
     pub fn deprecation(&mut self, symbol: Symbol) -> Option<Rc<str>> {

@@ -4,11 +4,12 @@
 //! never see them. In the blocked zones of docs/spec/language.md 2.2 [`Vm::peek_raw`] is used,
 //! which runs nothing: there a directive looks like a lone `#`.
 
+use super::program::Code;
 use super::scope::Place;
 use super::value::Value;
 use super::{Fault, Result, Vm, Word};
 use crate::source::Span;
-use crate::syntax::{Node, NodeKind, Punct, Symbol, Tree};
+use crate::syntax::{Node, NodeKind, Punct, Symbol};
 use std::rc::Rc;
 
 /// A token as readers get it.
@@ -44,7 +45,7 @@ pub enum TokenKind {
 /// What the tokens come from: a file, or the body of a macro within one.
 #[derive(Debug)]
 pub(super) struct Frame {
-    pub tree: Rc<Tree>,
+    pub tree: Rc<Code>,
     /// The next node.
     pub pos: usize,
     /// The node to stop before.
@@ -229,9 +230,17 @@ impl Vm<'_> {
         self.scopes.leave();
         if left.entered.is_some_and(|entered| entered.name.is_some()) {
             // The body of a macro is balanced, but `#break` may leave it early.
-            self.blocks.truncate(left.blocks);
+            while self.blocks.len() > left.blocks {
+                self.pop_block();
+            }
         }
         true
+    }
+
+    /// Whether what is read now may be read again: in a loop, or in a macro.
+    #[inline]
+    pub(super) fn is_repeating(&self) -> bool {
+        self.loops > 0 || self.frame.entered.is_some_and(|entered| entered.name.is_some())
     }
 
     /// The place just after the last token of the scene.

@@ -1,8 +1,8 @@
-use super::probe;
+use super::{probe, probe_repeated};
 
 #[test]
 fn operators() {
-    probe(&[
+    probe_repeated(&[
         ("F(1+2*3) F(8/2/2) F(2*-3) F(!0+1) F(1--1)", "7 2 -6 2 2"),
         ("F((1|0&0)) F((0&0|1)) F((1<2<3)) F((3>2>1))", "0 1 1 0"),
         ("F(1<2)", "E"),
@@ -23,7 +23,7 @@ fn operators() {
 
 #[test]
 fn sizes() {
-    probe(&[
+    probe_repeated(&[
         ("V5(<1,2>+<1,1,1,1,1>)", "2,3,1,1,1"),
         ("V5(1+<1,1,1,1,1>)", "2,2,2,2,2"),
         ("V(<1,2,3>/<2,0,1>)", "0.5,inf,3 W"),
@@ -45,7 +45,7 @@ fn sizes() {
 
 #[test]
 fn colors() {
-    probe(&[
+    probe_repeated(&[
         ("V5(rgbt 0.5)", "0.5,0.5,0.5,0,0.5"),
         ("V5(rgbt <1,2,3,4>)", "1,2,3,0,4"),
         ("V5(rgb <1,2>)", "1,2,0,0,0"),
@@ -57,7 +57,7 @@ fn colors() {
         ("V5(color rgb 1) V5(colour red 1)", "1,1,1,0,0 1,0,0,0,0"),
         ("#declare C=rgb <1,2,3>; V5(C*0.5+<1,2,3>)", "1.5,3,4.5,0,0"),
         ("V5(rgb <1,2,3,4>)", "1,2,3,4,0 W"),
-        ("V5(srgb 0.5)", "E"),
+        ("V5(srgb <1,0.5,0.02>)", "1,0.214041144,0.001547988,0,0"),
         ("#declare C=color <1,2,3>; V5(C)", "1,2,3,0,0"),
         ("V5(rgb 1 transmit 0.5)", "1,1,1,0,0.5"),
     ]);
@@ -65,7 +65,7 @@ fn colors() {
 
 #[test]
 fn float_functions() {
-    probe(&[
+    probe_repeated(&[
         ("F(mod(-7,3)) F(div(-7,2)) F(floor(-2.5)) F(int(-2.7))", "-1 -3 -3 -2"),
         ("F(5/0)", "inf W"),
         ("F(0/0)", "inf W"),
@@ -88,7 +88,7 @@ fn float_functions() {
 
 #[test]
 fn vector_functions() {
-    probe(&[
+    probe_repeated(&[
         ("V(vrotate(<1,2,3>,<10,20,30>))", "1.067425379,2.289059483,2.760581414"),
         ("V(vaxis_rotate(<1,2,3>,<1,2,2>,37))", "1.44595768,1.888890321,2.888130839"),
         ("V(vcross(x,y)) V(vnormalize(<3,0,4>))", "0,0,1 0.6,0,0.8"),
@@ -121,5 +121,32 @@ fn splines() {
         ("#declare L=spline{linear_spline}", "E"),
         ("#declare L=spline{0,rgb 1}", "E"),
         ("#declare L=spline{0,x} #declare M=spline{L 1,y} V(M(1)) #declare N=M; V(N(0))", "0,1,0 1,0,0"),
+    ]);
+}
+
+#[test]
+fn compiled_expressions_give_what_the_others_give() {
+    probe(&[
+        ("#for(I,1,4) F(1/(I-3)) #end", "-0.5 -1 inf 1 W"),
+        ("#for(I,1,4) F(sqrt(I-3)) #end", "0 1 E"),
+        (
+            "#macro M(a) F(vlength(a)) V(a*2) #end M(1) M(2) M(3) M(x) M(<3,4>) M(4)",
+            "1.732050807569 2,0,0 3.464101615138 4,0,0 5.196152422707 6,0,0 1 2,0,0 5 6,8,0 6.928203230276 8,0,0",
+        ),
+        (
+            "#declare R=seed(0); #declare A=R; #for(I,1,4) F(rand(A)/(2-I)) #end",
+            "0.000002874294 inf -0.249070228834 -0.482938021068 W",
+        ),
+        ("#declare A=array[5]{1,2,3,4,5} #for(I,0,4) F(A[I]*2+A[mod(I+1,5)]) #end", "4 7 10 13 11"),
+        ("#declare A=array[2][2]{{1,2}{3,4}} #for(I,0,1) #for(J,0,1) F(A[I][J]) #end #end", "1 2 3 4"),
+        ("#declare A=array[3]{1,2,3} #for(I,0,3) F(A[I]) #end", "1 2 3 E"),
+        ("#macro P() +10 #end #for(I,1,4) F((I P())) #end", "11 12 13 14"),
+        ("#for(I,1,4) F((I #if(I=3) *100 #end)) #end", "1 2 300 4"),
+        ("#for(I,1,4) F((I>2?I*10:-I)) #end", "-1 -2 30 40"),
+        ("#for(I,1,4) V(<I,2*I,-I>*<1,1,2>+x) #end", "2,2,-2 3,4,-4 4,6,-6 5,8,-8"),
+        ("#for(I,1,4) V(2*<I,1>.y*z/2) #end", "0,0,1 0,0,1 0,0,1 0,0,1"),
+        ("#for(I,-1,2) F(select(I,10,20,30)) F(select(I,10,20)) #end", "10 10 20 20 30 20 30 20"),
+        ("#for(I,1,3) #declare X=I; #if(I=2) #declare X=<I,I,I>; #end V(X*2) #end", "2,0,0 4,4,4 6,0,0"),
+        ("#for(I,1,4) #declare deprecated \"old\" Z=I; F(Z) #end", "1 2 3 4 W"),
     ]);
 }

@@ -20,6 +20,7 @@ use povista::source::{Library, Source};
 
 /// The printing macros the tables use.
 const PRELUDE: &str = r#"#version 3.7;
+global_settings { assumed_gamma 1 }
 #macro F(e) #debug concat(str(e,0,12),"\n") #end
 #macro V(e) #debug concat(vstr(3,e,",",0,9),"\n") #end
 #macro V5(e) #debug concat(vstr(5,e,",",0,9),"\n") #end
@@ -46,6 +47,22 @@ pub(crate) fn probe_in(library: &dyn Fn() -> Library, table: &[(&str, &str)]) {
     assert!(wrong.is_empty(), "{} of {} differ:\n{}", wrong.len(), table.len(), wrong.join("\n"));
 }
 
+/// Checks every row again inside a loop and a macro, where expressions are compiled the second time.
+pub(crate) fn probe_repeated(table: &[(&str, &str)]) {
+    probe(table);
+    let mut repeated = Vec::new();
+    for &(scene, wanted) in table {
+        let results: Vec<&str> = wanted.split(' ').filter(|part| !["W", "P", "E"].contains(part)).collect();
+        let verdicts: Vec<&str> = wanted.split(' ').filter(|part| ["W", "P", "E"].contains(part)).collect();
+        let passes = if verdicts.contains(&"E") { continue } else { 4 };
+        let scene = format!("#macro Again() {scene}\n#end #for(Pass,1,{passes}) Again() #end");
+        let all: Vec<&str> = std::iter::repeat_n(results, passes).flatten().chain(verdicts).collect();
+        repeated.push((scene, all.join(" ")));
+    }
+    let rows: Vec<(&str, &str)> = repeated.iter().map(|(scene, wanted)| (&**scene, &**wanted)).collect();
+    probe(&rows);
+}
+
 /// Reads a piece of scene after the prelude.
 pub(crate) fn run(scene: &str, library: Library) -> Checked {
     let text = format!("{PRELUDE}{scene}\n");
@@ -54,7 +71,9 @@ pub(crate) fn run(scene: &str, library: Library) -> Checked {
 
 fn outcome(checked: &Checked) -> String {
     let mut parts: Vec<String> = checked.debug.lines().map(trimmed).collect();
-    let mut severities: Vec<Severity> = checked.diagnostics.iter().map(|d| d.severity).collect();
+    // What concerns the scene as a whole, such as that it has no objects, is no matter of a row.
+    let placed = checked.diagnostics.iter().filter(|d| d.span.is_some());
+    let mut severities: Vec<Severity> = placed.map(|d| d.severity).collect();
     severities.sort();
     severities.dedup_by(|a, b| a == b && *a == Severity::Error);
     parts.extend(severities.iter().map(|severity| {

@@ -12,23 +12,10 @@ use crate::syntax::Punct;
 /// Whether a word is a function or changing constant that gives a float.
 pub fn is_function(word: Word) -> bool {
     use Word::*;
-    of_one(word).is_some()
+    pure(word).is_some()
         || matches!(
             word,
-            Asin | Acos
-                | Sqrt
-                | Ln
-                | Log
-                | Atan2
-                | Pow
-                | Div
-                | Mod
-                | Min
-                | Max
-                | Select
-                | BitwiseAnd
-                | BitwiseOr
-                | BitwiseXor
+            Select
                 | Vdot
                 | Vlength
                 | Asc
@@ -49,34 +36,86 @@ pub fn is_function(word: Word) -> bool {
         )
 }
 
-/// Functions of one float that work for every number.
-fn of_one(word: Word) -> Option<fn(f64) -> f64> {
+/// Functions of floats that depend on nothing else.
+pub enum Pure {
+    /// Of one float.
+    One(fn(f64) -> f64),
+    /// Of one float, not of every one.
+    OneChecked(fn(f64) -> Option<f64>),
+    /// Of two floats.
+    Two(fn(f64, f64) -> f64),
+    /// Of two floats, not of all.
+    TwoChecked(fn(f64, f64) -> Option<f64>),
+    /// Of one or more floats, put together from the left.
+    Fold(fn(f64, f64) -> f64),
+}
+
+/// The pure function a word stands for.
+pub fn pure(word: Word) -> Option<Pure> {
     Some(match word {
-        Word::Abs => f64::abs,
-        Word::Sin => f64::sin,
-        Word::Cos => f64::cos,
-        Word::Tan => f64::tan,
-        Word::Sinh => f64::sinh,
-        Word::Cosh => f64::cosh,
-        Word::Tanh => f64::tanh,
-        Word::Asinh => f64::asinh,
-        Word::Acosh => f64::acosh,
-        Word::Atanh => f64::atanh,
-        Word::Atan => f64::atan,
-        Word::Exp => f64::exp,
-        Word::Ceil => f64::ceil,
-        Word::Floor => f64::floor,
-        Word::Int => |a| f64::from(to_int(a)),
-        Word::Degrees => |a| a / (std::f64::consts::PI / 180.0),
-        Word::Radians => |a| a * (std::f64::consts::PI / 180.0),
+        Word::Abs => Pure::One(f64::abs),
+        Word::Sin => Pure::One(f64::sin),
+        Word::Cos => Pure::One(f64::cos),
+        Word::Tan => Pure::One(f64::tan),
+        Word::Sinh => Pure::One(f64::sinh),
+        Word::Cosh => Pure::One(f64::cosh),
+        Word::Tanh => Pure::One(f64::tanh),
+        Word::Asinh => Pure::One(f64::asinh),
+        Word::Acosh => Pure::One(f64::acosh),
+        Word::Atanh => Pure::One(f64::atanh),
+        Word::Atan => Pure::One(f64::atan),
+        Word::Exp => Pure::One(f64::exp),
+        Word::Ceil => Pure::One(f64::ceil),
+        Word::Floor => Pure::One(f64::floor),
+        Word::Int => Pure::One(|a| f64::from(to_int(a))),
+        Word::Degrees => Pure::One(|a| a / (std::f64::consts::PI / 180.0)),
+        Word::Radians => Pure::One(|a| a * (std::f64::consts::PI / 180.0)),
+        Word::Asin => Pure::OneChecked(|a| (a.abs() <= 1.0).then(|| a.asin())),
+        Word::Acos => Pure::OneChecked(|a| (a.abs() <= 1.0).then(|| a.acos())),
+        Word::Sqrt => Pure::OneChecked(|a| (a >= 0.0).then(|| a.sqrt())),
+        Word::Ln => Pure::OneChecked(|a| (a > 0.0).then(|| a.ln())),
+        Word::Log => Pure::OneChecked(|a| (a > 0.0).then(|| a.log10())),
+        Word::Atan2 => Pure::TwoChecked(|a, b| (truth(a) || truth(b)).then(|| a.atan2(b))),
+        Word::Pow => Pure::TwoChecked(|a, b| (a != 0.0 || b != 0.0).then(|| a.powf(b))),
+        Word::Div => Pure::Two(|a, b| f64::from(to_int(a / b))),
+        // What the C library gives for a zero prints as `-nan`, and scenes may print it.
+        Word::Mod => Pure::Two(|a, b| if b == 0.0 { -f64::NAN } else { a % b }),
+        Word::Min => Pure::Fold(f64::min),
+        Word::Max => Pure::Fold(f64::max),
+        Word::BitwiseAnd => Pure::Fold(|a, b| f64::from(to_int(a) & to_int(b))),
+        Word::BitwiseOr => Pure::Fold(|a, b| f64::from(to_int(a) | to_int(b))),
+        Word::BitwiseXor => Pure::Fold(|a, b| f64::from(to_int(a) ^ to_int(b))),
         _ => return None,
     })
 }
 
 /// Reads the arguments of a function whose name was just taken, and computes it.
 pub fn call(vm: &mut Vm, word: Word, span: Span) -> Result<f64> {
-    if let Some(f) = of_one(word) {
-        return Ok(f(one(vm)?));
+    match pure(word) {
+        Some(Pure::One(f)) => return Ok(f(one(vm)?)),
+        Some(Pure::OneChecked(f)) => {
+            let a = one(vm)?;
+            return match f(a) {
+                Some(value) => Ok(value),
+                None => outside(vm, word, a, span.to(vm.last)),
+            };
+        }
+        Some(Pure::Two(f)) => {
+            let [a, b] = several(vm)?;
+            return Ok(f(a, b));
+        }
+        Some(Pure::TwoChecked(f)) => {
+            let [a, b] = several(vm)?;
+            return f(a, b).ok_or_else(|| {
+                let fault = vm.error(span.to(vm.last), format!("`{}` of zero and zero", word.text()));
+                match word {
+                    Word::Atan2 => fault.help("a point at the origin has no angle"),
+                    _ => fault.help("it is neither 0 nor 1"),
+                }
+            });
+        }
+        Some(Pure::Fold(f)) => return fold(vm, f),
+        None => {}
     }
     let name = word.text();
     Ok(match word {
@@ -84,62 +123,6 @@ pub fn call(vm: &mut Vm, word: Word, span: Span) -> Result<f64> {
         Word::ClockOn => f64::from(u8::from(vm.options.clock.chosen)),
         Word::Version => f64::from(vm.version) / 100.0,
         Word::Now => super::string::days_now(),
-        Word::Asin | Word::Acos => {
-            let mut a = one(vm)?;
-            if a.abs() > 1.0 {
-                vm.warn(
-                    span.to(vm.last),
-                    format!("`{name}` of {a}, which is outside -1 to 1"),
-                    "the nearer end is taken",
-                );
-                a = a.clamp(-1.0, 1.0);
-            }
-            if word == Word::Asin { a.asin() } else { a.acos() }
-        }
-        Word::Sqrt => match one(vm)? {
-            a if a < 0.0 => {
-                return Err(vm.error(span.to(vm.last), format!("`sqrt` of a negative number, {a}")));
-            }
-            a => a.sqrt(),
-        },
-        Word::Ln | Word::Log => match one(vm)? {
-            a if a <= 0.0 => {
-                let fault = vm.error(span.to(vm.last), format!("`{name}` of {a}"));
-                return Err(fault.help("logarithms need a number above zero"));
-            }
-            a if word == Word::Ln => a.ln(),
-            a => a.log10(),
-        },
-        Word::Atan2 => {
-            let [a, b] = several(vm)?;
-            if !truth(a) && !truth(b) {
-                return Err(vm
-                    .error(span.to(vm.last), "`atan2` of zero and zero")
-                    .help("a point at the origin has no angle"));
-            }
-            a.atan2(b)
-        }
-        Word::Pow => {
-            let [a, b] = several(vm)?;
-            if a == 0.0 && b == 0.0 {
-                return Err(vm.error(span.to(vm.last), "`pow` of zero and zero"));
-            }
-            a.powf(b)
-        }
-        Word::Div => {
-            let [a, b] = several(vm)?;
-            f64::from(to_int(a / b))
-        }
-        Word::Mod => {
-            let [a, b] = several(vm)?;
-            // What the C library gives here prints as `-nan`, and scenes may print it.
-            if b == 0.0 { -f64::NAN } else { a % b }
-        }
-        Word::Min => fold(vm, f64::min)?,
-        Word::Max => fold(vm, f64::max)?,
-        Word::BitwiseAnd => fold(vm, |a, b| f64::from(to_int(a) & to_int(b)))?,
-        Word::BitwiseOr => fold(vm, |a, b| f64::from(to_int(a) | to_int(b)))?,
-        Word::BitwiseXor => fold(vm, |a, b| f64::from(to_int(a) ^ to_int(b)))?,
         Word::Select => arguments(vm, select)?,
         Word::Vdot => arguments(vm, |vm| {
             let a = vm.read_vector()?;
@@ -195,10 +178,25 @@ pub fn call(vm: &mut Vm, word: Word, span: Span) -> Result<f64> {
     })
 }
 
+/// What happens when a function has no value for an argument.
+fn outside(vm: &mut Vm, word: Word, a: f64, span: Span) -> Result<f64> {
+    let name = word.text();
+    match word {
+        Word::Asin | Word::Acos => {
+            let message = format!("`{name}` of {a}, which is outside -1 to 1");
+            vm.warn(span, message, "the nearer end is taken");
+            let a = a.clamp(-1.0, 1.0);
+            Ok(if word == Word::Asin { a.asin() } else { a.acos() })
+        }
+        Word::Sqrt => Err(vm.error(span, format!("`sqrt` of a negative number, {a}"))),
+        _ => Err(vm.error(span, format!("`{name}` of {a}")).help("logarithms need a number above zero")),
+    }
+}
+
 /// The argument of a function of one float: comparisons are allowed in it.
 fn one(vm: &mut Vm) -> Result<f64> {
     arguments(vm, |vm| {
-        let start = vm.peek()?.span;
+        let start = vm.peek_raw().span;
         let tuple = vm.full(1)?;
         single(vm, tuple, start)
     })

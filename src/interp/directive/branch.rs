@@ -25,6 +25,12 @@ pub(in crate::interp) enum BlockKind {
     For { name: Symbol, last: f64, step: f64, body: usize, end: usize },
 }
 
+impl BlockKind {
+    fn is_loop(&self) -> bool {
+        matches!(self, BlockKind::While { .. } | BlockKind::For { .. })
+    }
+}
+
 impl Vm<'_> {
     /// `#if`, `#ifdef`, `#ifndef`, just read.
     pub(super) fn branch(&mut self, directive: Directive, link: u32, span: Span) -> Result<()> {
@@ -158,7 +164,7 @@ impl Vm<'_> {
     pub(super) fn condition_value(&mut self, directive: Directive) -> Result<f64> {
         let open = self.open_condition(directive)?;
         self.blocked = true;
-        let start = self.peek()?.span;
+        let start = self.peek_raw().span;
         let value = self.full(1)?;
         let value = self.fit(value, 1, "a float", start)?.c[0];
         if self.operator()? != Some(Punct::CloseParen) {
@@ -179,14 +185,14 @@ impl Vm<'_> {
         let opener = open.span;
         match (&mut open.kind, directive) {
             (BlockKind::Arm { last: false }, Directive::Elseif | Directive::Else) => {
-                self.blocks.pop();
+                self.pop_block();
                 self.skip_block(link, opener)
             }
             (BlockKind::Arm { last: true }, Directive::Elseif | Directive::Else) => {
                 let word = directive.text();
                 let fault = self.error(span, format!("`#{word}` after `#else`"));
                 self.settle(fault.see(opener, "of this directive").help("`#else` is the last arm"));
-                self.blocks.pop();
+                self.pop_block();
                 self.skip_block(link, opener)
             }
             // One clause runs on into the next, until `#break`.
@@ -298,7 +304,7 @@ impl Vm<'_> {
                 self.frame.pos = self.frame.end;
                 return Ok(());
             }
-            match self.blocks.pop().map(|open| (open.kind, open.span)) {
+            match self.pop_block().map(|open| (open.kind, open.span)) {
                 Some((BlockKind::Arm { .. }, _)) => {}
                 Some((BlockKind::While { end, .. } | BlockKind::For { end, .. }, _)) => {
                     self.frame.pos = end + 1;
@@ -323,7 +329,7 @@ impl Vm<'_> {
         let Some(open) = self.blocks.last() else { return Err(self.stray(Directive::End, span)) };
         match open.kind {
             BlockKind::Arm { .. } | BlockKind::Clause { .. } => {
-                self.blocks.pop();
+                self.pop_block();
                 Ok(())
             }
             BlockKind::While { .. } => self.end_while(),
@@ -340,7 +346,15 @@ impl Vm<'_> {
         if self.blocks.len() >= crate::interp::limits::MOST_BLOCKS {
             return Err(self.fatal(span, "too many directives are open inside each other"));
         }
+        self.loops += u32::from(kind.is_loop());
         self.blocks.push(Open { kind, span });
         Ok(())
+    }
+
+    /// Closes the innermost block.
+    pub(in crate::interp) fn pop_block(&mut self) -> Option<Open> {
+        let open = self.blocks.pop()?;
+        self.loops -= u32::from(open.kind.is_loop());
+        Some(open)
     }
 }

@@ -1,10 +1,11 @@
 //! `#include`, docs/spec/language.md 2.9.
 
 use crate::interp::limits::MOST_SCOPES;
+use crate::interp::program::Code;
 use crate::interp::stream::{Entered, Frame};
 use crate::interp::{Fault, Result, Vm};
 use crate::source::{FileId, Missing, Span};
-use crate::syntax::{Tree, parse};
+use crate::syntax::parse;
 use std::rc::Rc;
 
 impl Vm<'_> {
@@ -40,11 +41,11 @@ impl Vm<'_> {
     }
 
     /// The nodes of a file, read once.
-    pub(in crate::interp) fn tree(&mut self, file: FileId) -> Rc<Tree> {
+    pub(in crate::interp) fn tree(&mut self, file: FileId) -> Rc<Code> {
         if let Some(tree) = self.trees.get(&file) {
             return Rc::clone(tree);
         }
-        let tree = Rc::new(parse(file, self.sources.get(file), &mut self.symbols));
+        let tree = Code::new(parse(file, self.sources.get(file), &mut self.symbols));
         for error in &tree.errors {
             self.report(error.clone());
         }

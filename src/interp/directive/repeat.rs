@@ -37,7 +37,7 @@ impl Vm<'_> {
         self.frame.pos = condition;
         let value = self.condition_value(Directive::While);
         if !matches!(value, Ok(value) if truth(value)) {
-            self.blocks.pop();
+            self.pop_block();
             self.frame.pos = end + 1;
         }
         match value {
@@ -110,7 +110,7 @@ impl Vm<'_> {
         let Some((place, Value::Float(value))) =
             place.and_then(|place| place.get().map(|value| (place, value)))
         else {
-            self.blocks.pop();
+            self.pop_block();
             let text = format!(
                 "`{}` is no number any more at the end of the `#for` that counts with it",
                 self.symbols.name(name)
@@ -122,7 +122,7 @@ impl Vm<'_> {
         drop(place.set(Value::Float(value)));
         let over = if step > 0.0 { value > last + EPSILON } else { value < last - EPSILON };
         if over {
-            self.blocks.pop();
+            self.pop_block();
             self.frame.pos = end + 1;
         } else {
             self.frame.pos = body;

@@ -1,158 +1,30 @@
-//! User functions: `function (parameters) { body }` becomes a tree, docs/spec/language.md 4.
+//! Reads the expression in the body of a function, docs/spec/language.md 4.2.
 
-use super::limits::MOST_FUNCTION_PARAMETERS;
-use super::stream::{Token, TokenKind};
-use super::value::Value;
-use super::{Fault, Result, Vm, Word, statement};
+use super::table::builtin;
+use super::{Variable, axis};
+use crate::interp::stream::{Token, TokenKind};
+use crate::interp::value::Value;
+use crate::interp::{Fault, Result, Vm, Word};
 use crate::scene::Function;
-use crate::scene::function::{BinaryOp, Builtin, Expr, FunctionBody};
+use crate::scene::function::{BinaryOp, Expr, FunctionBody};
 use crate::source::Span;
 use crate::syntax::{Punct, Symbol};
 use std::sync::Arc;
 
-/// How many parameters each `internal` function takes after `x, y, z`.
-const INTERNAL: [u8; 79] = [
-    5, 5, 5, 5, 2, 2, 5, 4, 2, 1, 4, 1, 1, 1, 1, 6, 6, 3, 1, 4, 3, 6, 1, 1, 10, 7, 7, 1, 1, 6, 1, 3, 4, 3, 6,
-    1, 1, 4, 1, 6, 5, 1, 1, 1, 4, 1, 3, 0, 1, 1, 7, 5, 6, 1, 1, 1, 3, 0, 6, 6, 4, 1, 5, 4, 6, 1, 4, 7, 2, 0,
-    2, 3, 1, 1, 2, 6, 0, 0, 1,
-];
-
-/// A name in the body of a function.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Variable {
-    /// `x`, `y`, `z`; `u` is `x`, and `v` is `y`.
-    Axis(u8),
-    Name(Symbol),
-}
-
 /// What is known while the body of a function is read.
-struct Body {
-    parameters: Vec<Variable>,
+pub(super) struct Body {
+    pub(super) parameters: Vec<Variable>,
     /// The names `sum` and `prod` count with, outermost first.
-    running: Vec<Symbol>,
+    pub(super) running: Vec<Symbol>,
 }
 
 /// An operand: its tree, and what POV-Ray's way of folding constants asks about it.
-struct Operand {
-    expr: Expr,
+pub(super) struct Operand {
+    pub(super) expr: Expr,
     /// A number that was not in parentheses.
     plain: bool,
     /// Depends on a parameter.
     varies: bool,
-}
-
-impl Vm<'_> {
-    /// Reads `function {..}` as a value; the word is peeked.
-    pub(super) fn read_function_value(&mut self) -> Result<Value> {
-        Ok(Value::Function(Arc::new(self.read_function()?)))
-    }
-
-    /// Reads `function (..) {..}`; the word is peeked. Without a list the parameters are x, y, z.
-    pub fn read_function(&mut self) -> Result<Function> {
-        let keyword = self.next()?;
-        self.read_function_after(keyword)
-    }
-
-    /// Reads what follows the word `function`.
-    pub(super) fn read_function_after(&mut self, keyword: Token) -> Result<Function> {
-        let listed = self.peek()?.kind == TokenKind::Punct(Punct::OpenParen);
-        let parameters = match listed {
-            true => self.read_parameters()?,
-            false => (0..3).map(Variable::Axis).collect(),
-        };
-        let count = parameters.len();
-        let block = self.open(keyword)?;
-        let word = self.peek_word()?;
-        let special = match word {
-            Some(word @ (Word::Pattern | Word::Pigment | Word::Transform | Word::Spline)) if listed => {
-                let fault = self.expected("an expression");
-                let word = word.text();
-                return Err(
-                    fault.help(format!("`{word}` in a function has parameters of its own: remove the list"))
-                );
-            }
-            Some(Word::Internal) => Some(self.read_internal()?),
-            Some(Word::Spline) => Some((FunctionBody::Spline(Arc::new(self.read_spline()?)), 1)),
-            Some(word) => statement::read_function_body(self, word)?.map(|body| (body, 3)),
-            None => None,
-        };
-        let (body, parameters) = match special {
-            Some(special) => special,
-            None => {
-                let mut body = Body { parameters, running: Vec::new() };
-                (FunctionBody::Expression(body.expression(self, 0)?.expr), count)
-            }
-        };
-        let end = self.close(block)?;
-        Ok(Function { span: keyword.span.to(end), name: "".into(), parameters, body })
-    }
-
-    fn read_parameters(&mut self) -> Result<Vec<Variable>> {
-        let open = self.next()?.span;
-        let mut parameters = Vec::new();
-        loop {
-            let token = self.peek_raw();
-            let parameter = match token.kind {
-                TokenKind::Punct(Punct::CloseParen) if !parameters.is_empty() => {
-                    self.next_raw();
-                    return Ok(parameters);
-                }
-                TokenKind::Word(word) => axis(word).map(Variable::Axis),
-                TokenKind::Name(symbol) => match self.lookup(symbol) {
-                    None => Some(Variable::Name(symbol)),
-                    Some(Value::Poisoned) => return Err(Fault::reported()),
-                    Some(value) => {
-                        let name = self.symbols.name(symbol).clone();
-                        let message =
-                            format!("the parameter `{name}` is the name of {} already", value.kind());
-                        return Err(self
-                            .error(token.span, message)
-                            .help("parameters of functions need names of their own"));
-                    }
-                },
-                _ => None,
-            };
-            let Some(parameter) = parameter else {
-                let fault = self.expected_at(token, "the name of a parameter");
-                return Err(fault.see(open, "in these parentheses"));
-            };
-            if parameters.len() == MOST_FUNCTION_PARAMETERS {
-                let message = format!("a function has at most {MOST_FUNCTION_PARAMETERS} parameters");
-                return Err(self.error(token.span, message));
-            }
-            self.next_raw();
-            parameters.push(parameter);
-            if self.peek_raw().kind == TokenKind::Punct(Punct::Comma) {
-                self.next_raw();
-            }
-        }
-    }
-
-    fn read_internal(&mut self) -> Result<(FunctionBody, usize)> {
-        self.next()?;
-        let open = self.expect(Punct::OpenParen)?;
-        let start = self.peek()?.span;
-        let number = self.read_float()?;
-        let known = INTERNAL.get(number as usize).filter(|_| number >= 0.0);
-        let Some(&parameters) = known else {
-            let last = INTERNAL.len() - 1;
-            return Err(self.error(
-                start.to(self.last),
-                format!("there is no internal function {number}; the last is {last}"),
-            ));
-        };
-        self.close_paren(open)?;
-        Ok((FunctionBody::Internal(number as u8), 3 + usize::from(parameters)))
-    }
-}
-
-fn axis(word: Word) -> Option<u8> {
-    Some(match word {
-        Word::X | Word::U => 0,
-        Word::Y | Word::V => 1,
-        Word::Z => 2,
-        _ => return None,
-    })
 }
 
 /// The binary operators from the loosest to the tightest.
@@ -195,48 +67,12 @@ fn compute(op: BinaryOp, a: f64, b: f64) -> f64 {
     }
 }
 
-/// Least and most arguments of a function that a body can call.
-fn builtin(word: Word) -> Option<(Builtin, usize, usize)> {
-    Some(match word {
-        Word::Abs => (Builtin::Abs, 1, 1),
-        Word::Acos => (Builtin::Acos, 1, 1),
-        Word::Acosh => (Builtin::Acosh, 1, 1),
-        Word::Asin => (Builtin::Asin, 1, 1),
-        Word::Asinh => (Builtin::Asinh, 1, 1),
-        Word::Atan => (Builtin::Atan, 1, 1),
-        Word::Atan2 => (Builtin::Atan2, 2, 2),
-        Word::Atanh => (Builtin::Atanh, 1, 1),
-        Word::Ceil => (Builtin::Ceil, 1, 1),
-        Word::Cos => (Builtin::Cos, 1, 1),
-        Word::Cosh => (Builtin::Cosh, 1, 1),
-        Word::Degrees => (Builtin::Degrees, 1, 1),
-        Word::Div => (Builtin::Div, 2, 2),
-        Word::Exp => (Builtin::Exp, 1, 1),
-        Word::Floor => (Builtin::Floor, 1, 1),
-        Word::Int => (Builtin::Int, 1, 1),
-        Word::Ln => (Builtin::Ln, 1, 1),
-        Word::Log => (Builtin::Log, 1, 1),
-        Word::Max => (Builtin::Max, 2, usize::MAX),
-        Word::Min => (Builtin::Min, 2, usize::MAX),
-        Word::Mod => (Builtin::Mod, 2, 2),
-        Word::Pow => (Builtin::Pow, 2, 2),
-        Word::Radians => (Builtin::Radians, 1, 1),
-        Word::Select => (Builtin::Select, 3, 4),
-        Word::Sin => (Builtin::Sin, 1, 1),
-        Word::Sinh => (Builtin::Sinh, 1, 1),
-        Word::Sqrt => (Builtin::Sqrt, 1, 1),
-        Word::Tan => (Builtin::Tan, 1, 1),
-        Word::Tanh => (Builtin::Tanh, 1, 1),
-        _ => return None,
-    })
-}
-
 impl Body {
     /// Reads operands of a level and the operators between them.
     ///
     /// Neighbouring numbers are combined from the left as POV-Ray does it, which ignores the
     /// operator before them: `(12)/2*3` is 12/6 (docs/spec/language.md 4.2).
-    fn expression(&mut self, vm: &mut Vm, level: usize) -> Result<Operand> {
+    pub(super) fn expression(&mut self, vm: &mut Vm, level: usize) -> Result<Operand> {
         if level == TIGHTEST {
             return self.unary(vm);
         }
@@ -478,7 +314,7 @@ impl Body {
                 "hf" => mix(&[0.996093, 0.996093 / 255.0]),
                 _ => None,
             },
-            TokenKind::Word(word) => super::expr::component(word)
+            TokenKind::Word(word) => crate::interp::expr::component(word)
                 .map(|index| Expr::Component(function.clone(), arguments.clone(), index as u8)),
             _ => None,
         };
