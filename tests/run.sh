@@ -31,4 +31,4 @@ if [ -n "$(missing)" ]; then
 fi
 
 cargo fmt --all --check
-cargo test --workspace --release "$@"
+cargo test --workspace --profile testing "$@"
