@@ -156,6 +156,9 @@ impl Geometry {
         let mut end = range.max;
         for &number in &self.unbounded {
             end = visit(number, &self.parts.objects[number as usize]);
+            if end == f64::NEG_INFINITY {
+                return;
+            }
         }
         self.bounded.along(ray, Range { min: range.min, max: end }, |number| {
             visit(number, &self.parts.objects[number as usize])

@@ -113,7 +113,11 @@ impl Bvh {
                 continue;
             }
             if child & LEAF != 0 {
-                far = inner(visit(child & !LEAF));
+                let end = visit(child & !LEAF);
+                if end == f64::NEG_INFINITY {
+                    return;
+                }
+                far = inner(end);
                 continue;
             }
             let node = &self.nodes[child as usize];

@@ -22,6 +22,9 @@ impl Linear {
         for (bounds, item) in &self.items {
             if slabs.meet(bounds, range) {
                 range.max = visit(*item);
+                if range.max == f64::NEG_INFINITY {
+                    return;
+                }
             }
         }
     }

@@ -162,3 +162,21 @@ fn a_near_hit_ends_the_search() {
     });
     assert_eq!(asked, [0]);
 }
+
+#[test]
+fn negative_infinity_ends_the_search_at_once() {
+    let mut numbers = Numbers(9);
+    let boxes = boxes(&mut numbers, 60, 1.0, DVec3::ZERO);
+    for kind in [Accelerator::Linear, Accelerator::Bvh] {
+        let accel = Accel::new(boxes.clone(), kind);
+        for _ in 0..50 {
+            let ray = Ray::new(DVec3::Z * -4.0, (numbers.vector() + DVec3::Z * 4.0).normalize());
+            let mut visits = 0;
+            accel.along(&ray, Range::AHEAD, |_| {
+                visits += 1;
+                f64::NEG_INFINITY
+            });
+            assert!(visits <= 1, "{kind:?} went on {visits} times");
+        }
+    }
+}
