@@ -81,6 +81,8 @@ impl Vm<'_> {
             let token = if parts > 0 && self.blocked { self.peek_raw() } else { self.peek()? };
             let word = match token.kind {
                 TokenKind::Word(word) if parts > 0 || is_keyword(word) => word,
+                // Nothing is black.
+                _ if parts == 0 && !self.at_number()? => break,
                 _ if parts == 0 => {
                     c = self.full(n)?.padded(n).c;
                     parts = 1;

@@ -31,11 +31,11 @@ impl Vm<'_> {
     /// Reads `function (..) {..}`; the word is peeked. Without a list the parameters are x, y, z.
     pub fn read_function(&mut self) -> Result<Function> {
         let keyword = self.next()?;
-        self.read_function_after(keyword)
+        self.read_function_after(keyword, true)
     }
 
-    /// Reads what follows the word `function`.
-    pub(super) fn read_function_after(&mut self, keyword: Token) -> Result<Function> {
+    /// Reads what follows the word `function`. Bodies that are no expressions may be refused.
+    pub(super) fn read_function_after(&mut self, keyword: Token, special: bool) -> Result<Function> {
         let listed = self.peek()?.kind == TokenKind::Punct(Punct::OpenParen);
         let parameters = match listed {
             true => self.read_parameters()?,
@@ -45,6 +45,7 @@ impl Vm<'_> {
         let block = self.open(keyword)?;
         let word = self.peek_word()?;
         let special = match word {
+            _ if !special => None,
             Some(word @ (Word::Pattern | Word::Pigment | Word::Transform | Word::Spline)) if listed => {
                 let fault = self.expected("an expression");
                 let word = word.text();

@@ -39,7 +39,6 @@ pub(super) fn read(vm: &mut Vm<'_>, owner: &mut Object) -> Result<()> {
     while let Some(object) = object::any(vm)? {
         check(vm, &object)?;
         objects.push(object);
-        vm.comma()?;
     }
     if objects.is_empty() {
         return Err(vm.expected("an object"));
@@ -69,15 +68,16 @@ fn check(vm: &Vm<'_>, object: &Object) -> Result<()> {
     Ok(())
 }
 
-/// Testing the bound of a simple shape would cost more than testing the shape.
-pub(super) fn drop_superfluous(vm: &mut Vm<'_>, object: &mut Object) {
-    use Shape::*;
-    let simple = matches!(object.shape, Sphere { .. } | Box { .. } | Plane { .. } | Disc(_) | Triangle(_));
-    if object.flags.contains(ObjectFlags::BOUNDS_ARE_CLIPS) || !simple {
+/// Drops the bounds of a single shape at the top level: its own are at least as good. Only a `poly`
+/// and a CSG keep theirs.
+pub(super) fn drop_superfluous(vm: &mut Vm<'_>, object: &mut Arc<Object>) {
+    let keeps = matches!(object.shape, Shape::Csg(_) | Shape::Poly(_) | Shape::LightGroup(_));
+    let bounded = object.extra.as_ref().is_some_and(|extra| !extra.bounded_by.is_empty());
+    if keeps || !bounded {
         return;
     }
-    if let Some(extra) = object.extra.as_deref_mut().filter(|extra| !extra.bounded_by.is_empty()) {
-        extra.bounded_by.clear();
-        vm.warn(object.span, "a shape this simple gains nothing from `bounded_by`", "it is left out");
-    }
+    let object = Arc::make_mut(object);
+    modifier::extra(object).bounded_by.clear();
+    object.flags.remove(ObjectFlags::BOUNDS_ARE_CLIPS);
+    vm.warn(object.span, "this object gains nothing from `bounded_by`", "it is left out");
 }

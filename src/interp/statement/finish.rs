@@ -75,12 +75,15 @@ fn item(vm: &mut Vm<'_>, finish: &mut Finish, albedo: &mut Albedo, word: Word) -
         }
         Word::Metallic => finish.metallic = vm.after_word(switch)?,
         Word::Crand => finish.crand = vm.after_word(single)?,
-        Word::ConserveEnergy => finish.conserve_energy = vm.after_word(Vm::read_flag)?,
+        Word::ConserveEnergy => {
+            vm.next()?;
+            finish.conserve_energy = true;
+        }
         Word::Reflection => reflection(vm, &mut finish.reflection)?,
         Word::ReflectionExponent => finish.reflection.exponent = vm.after_word(single)?,
         Word::Irid => finish.irid = Some(irid(vm)?),
         Word::Subsurface => finish.subsurface = Some(subsurface(vm)?),
-        Word::Ior | Word::Refraction | Word::Caustics | Word::FadeDistance | Word::FadePower => {
+        Word::Ior | Word::Refraction | Word::Caustics => {
             legacy(vm, &mut finish.legacy, word)?;
         }
         _ => return Ok(false),
@@ -123,7 +126,9 @@ fn reflection(vm: &mut Vm<'_>, reflection: &mut Reflection) -> Result<()> {
         return Ok(());
     }
     let block = vm.open(keyword)?;
-    reflection.max = color::rgb(vm)?;
+    if vm.at_color()? || vm.at_number()? {
+        reflection.max = color::rgb(vm)?;
+    }
     reflection.min = reflection.max;
     vm.comma()?;
     let two = vm.at_color()? || vm.at_number()?;
@@ -199,9 +204,7 @@ fn legacy(vm: &mut Vm<'_>, legacy: &mut LegacyFinish, word: Word) -> Result<()> 
     match word {
         Word::Ior => legacy.ior = value,
         Word::Refraction => legacy.refraction = value,
-        Word::Caustics => legacy.caustics = value,
-        Word::FadeDistance => legacy.fade_distance = value,
-        _ => legacy.fade_power = value,
+        _ => legacy.caustics = value,
     }
     Ok(())
 }

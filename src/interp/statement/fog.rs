@@ -27,10 +27,10 @@ pub(in crate::interp) fn block(vm: &mut Vm<'_>) -> Result<Fog> {
     fog.span = block.span;
     while item(vm, &mut fog)? {}
     vm.close(block)?;
-    match fog.up.try_normalize() {
-        Some(up) => fog.up = up,
-        None => return Err(vm.error(block.span, "`up` of this fog has no length")),
-    }
+    fog.up = fog.up.try_normalize().unwrap_or_else(|| {
+        vm.warn(block.span, "`up` of this fog has no length", "`y` is taken");
+        DVec3::Y
+    });
     Ok(fog)
 }
 

@@ -21,8 +21,11 @@ pub fn read_function_body(vm: &mut Vm, word: Word) -> Result<Option<FunctionBody
             vm.close(block)?;
             FunctionBody::Pattern(Arc::new(field))
         }
-        Word::Pigment => FunctionBody::Pigment(pigment::block(vm, &pigment::empty())?),
-        Word::Transform => FunctionBody::Transform(transform::value(vm)?),
+        Word::Pigment => {
+            let empty = vm.state.empty();
+            FunctionBody::Pigment(pigment::block(vm, &empty)?)
+        }
+        Word::Transform => FunctionBody::Transform(transform::braced(vm)?),
         _ => return Ok(None),
     }))
 }

@@ -55,15 +55,17 @@ fn read_map(vm: &mut Vm<'_>, usage: Usage, amount: &mut Option<f32>) -> Result<I
     while let Some(word) = vm.peek_word()? {
         match word {
             Word::MapType => map.map_type = choice(vm, &[0, 1, 2, 5], usage == Usage::Pigment)?,
-            Word::Interpolate => map.interpolate = choice(vm, &[0, 1, 2, 3, 4], usage == Usage::Pigment)?,
+            Word::Interpolate => map.interpolate = choice(vm, &[2, 3, 4], usage == Usage::Pigment)?,
             Word::Once => {
                 vm.next()?;
                 map.once = true;
             }
             Word::Repeat => map.repeat = repeat(vm)?,
             Word::Offset => map.offset = vm.after_word(Vm::read_uv)?,
-            Word::Filter if usage == Usage::Pigment => palette(vm, &mut map.filter)?,
-            Word::Transmit if usage == Usage::Pigment => palette(vm, &mut map.transmit)?,
+            Word::Filter | Word::Transmit if usage == Usage::Pigment => {
+                let setting = palette(vm, &map.source.origin)?;
+                if word == Word::Filter { &mut map.filter } else { &mut map.transmit }.push(setting);
+            }
             Word::UseColor | Word::UseColour | Word::UseIndex => {
                 vm.next()?;
                 map.use_index = word == Word::UseIndex;
@@ -105,12 +107,16 @@ fn repeat(vm: &mut Vm<'_>) -> Result<DVec2> {
 }
 
 /// Reads `filter all F`, `filter i, F` and the same with `transmit`.
-fn palette(vm: &mut Vm<'_>, settings: &mut Vec<PaletteSetting>) -> Result<()> {
-    vm.next()?;
+fn palette(vm: &mut Vm<'_>, origin: &ImageOrigin) -> Result<PaletteSetting> {
+    let keyword = vm.next()?.span;
     let index = if vm.accept(Word::All)? { None } else { Some(vm.read_count()?) };
+    if index.is_some() && matches!(origin, ImageOrigin::Function { .. }) {
+        return Err(vm
+            .error(keyword.to(vm.last), "the image of a function has no palette")
+            .help("write `all` instead of a number"));
+    }
     vm.comma()?;
-    settings.push(PaletteSetting { index, amount: vm.read_float()? as f32 });
-    Ok(())
+    Ok(PaletteSetting { index, amount: vm.read_float()? as f32 })
 }
 
 /// Reads a file or function and how its values are to be understood. The file has to be there.
@@ -149,7 +155,7 @@ fn function(vm: &mut Vm<'_>) -> Result<ImageOrigin> {
         };
         vm.comma()?;
     }
-    let function = vm.read_function_after(keyword)?;
+    let function = vm.read_function_after(keyword, true)?;
     Ok(ImageOrigin::Function { width: size[0], height: size[1], function: Arc::new(function) })
 }
 

@@ -12,7 +12,6 @@ pub(super) fn read(vm: &mut Vm<'_>, block: Block) -> Result<Object> {
     let mut group = LightGroup { objects: Vec::new(), global_lights: false };
     while let Some(object) = object::any(vm)? {
         group.objects.push(object);
-        vm.comma()?;
     }
     let mut object = Object::new(block.span, Shape::LightGroup(Arc::default()));
     loop {

@@ -148,8 +148,16 @@ fn area_option(vm: &mut Vm<'_>, light: &mut Light, word: Word) -> Result<()> {
         _ => 1,
     };
     let Some(area) = &mut light.area else {
-        let word = word.text();
-        vm.warn(place, format!("`{word}` comes before `area_light`"), "it has no effect here");
+        let what = word.text();
+        if word == Word::Circular {
+            return Err(vm
+                .error(place, "`circular` comes before `area_light`")
+                .help("write `area_light` and its size first"));
+        }
+        if matches!(word, Word::Adaptive | Word::Jitter) {
+            return Ok(());
+        }
+        vm.warn(place, format!("`{what}` comes before `area_light`"), "it has no effect here");
         return Ok(());
     };
     match word {
@@ -193,7 +201,6 @@ fn attached(vm: &mut Vm<'_>, taken: bool) -> Result<Object> {
     let mut object = Arc::unwrap_or_clone(object);
     while modifier::read(vm, &mut object)? {}
     vm.close(block)?;
-    modifier::complete(vm, &mut object);
     Ok(object)
 }
 

@@ -47,7 +47,7 @@ fn read<T>(
 
 /// Reads the position before an entry. For `average` it is a weight and may be left out.
 fn position(vm: &mut Vm<'_>, average: bool) -> Result<f32> {
-    if average && (!vm.at_number()? || vm.at_color()?) {
+    if average && !vm.at_number()? && !vm.at_color()? {
         return Ok(1.0);
     }
     let position = vm.read_float()? as f32;
@@ -78,8 +78,8 @@ pub(in crate::interp) fn colors(vm: &mut Vm<'_>) -> Result<Arc<BlendMap<Rgbft>>>
             1 => {
                 for at in [at, value.c[0] as f32] {
                     vm.comma()?;
-                    if !vm.at_color()? {
-                        return Err(vm.expected("a color"));
+                    if !matches!(vm.peek_word()?, Some(Word::Color | Word::Colour)) {
+                        return Err(vm.expected("`color`"));
                     }
                     entries.push((at, color::rgbft(vm)?));
                 }

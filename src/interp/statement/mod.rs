@@ -79,7 +79,7 @@ pub fn read_rvalue(vm: &mut Vm, word: Word) -> Result<Option<Value>> {
             Value::PigmentMap(map::pigments(vm, pattern::Owner::Pigment, &base, true)?)
         }
         Word::DensityMap => {
-            Value::DensityMap(map::pigments(vm, pattern::Owner::Density, &pigment::empty(), true)?)
+            Value::DensityMap(map::pigments(vm, pattern::Owner::Density, &vm.state.empty(), true)?)
         }
         Word::NormalMap => Value::NormalMap(map::normals(vm, true)?),
         Word::TextureMap => Value::TextureMap(map::textures(vm, true)?),
@@ -91,7 +91,8 @@ pub fn read_rvalue(vm: &mut Vm, word: Word) -> Result<Option<Value>> {
 /// Reads a statement at the top level of the scene. `false`, and nothing taken, when none starts
 /// there.
 pub fn read_top_level(vm: &mut Vm) -> Result<bool> {
-    if let Some(object) = object::any(vm)? {
+    if let Some(mut object) = object::any(vm)? {
+        bounds::drop_superfluous(vm, &mut object);
         vm.state.add(object);
         return Ok(true);
     }

@@ -6,7 +6,6 @@ use super::{bounds, color, interior, material, object, photons, texture, transfo
 use crate::interp::{Fault, Result, Vm, Word};
 use crate::scene::object::{ObjectExtra, ObjectFlags};
 use crate::scene::shape::CsgOperation;
-use crate::scene::texture::TextureBody;
 use crate::scene::{Object, Shape};
 
 /// Reads one modifier, if one comes next.
@@ -76,7 +75,7 @@ fn flag(vm: &mut Vm<'_>, object: &mut Object) -> Result<bool> {
             let place = vm.next()?.span;
             let on = vm.read_flag()?;
             match &mut object.shape {
-                Shape::Csg(csg) if csg.operation == CsgOperation::Union => {
+                Shape::Csg(csg) if matches!(csg.operation, CsgOperation::Union | CsgOperation::Merge) => {
                     Arc::make_mut(csg).split_union = on
                 }
                 _ => return Err(unfit(vm, word, place, "a `union`")),
@@ -143,11 +142,6 @@ fn block(vm: &mut Vm<'_>, object: &mut Object) -> Result<bool> {
         Word::InteriorTexture => {
             let place = vm.here()?;
             let over = texture::block(vm)?;
-            if object.texture.is_none() {
-                return Err(vm
-                    .error(place, "this object has an `interior_texture` but no `texture`")
-                    .help("write its `texture { … }` first"));
-            }
             texture::layer(vm, &mut extra(object).interior_texture, over, place)?;
         }
         Word::Material => material::modifier(vm, object)?,
@@ -174,7 +168,8 @@ fn block(vm: &mut Vm<'_>, object: &mut Object) -> Result<bool> {
 pub(super) fn importance(vm: &mut Vm<'_>) -> Result<f64> {
     let block = vm.enter()?;
     if !vm.accept(Word::Importance)? {
-        return Err(vm.expected("`importance`"));
+        vm.close(block)?;
+        return Ok(1.0);
     }
     let (importance, place) = vm.located(Vm::read_float)?;
     if !(importance > 0.0 && importance <= 1.0) {
@@ -189,32 +184,14 @@ pub(super) fn extra(object: &mut Object) -> &mut ObjectExtra {
     object.extra.get_or_insert_default()
 }
 
-/// What is decided when the statement of an object ends.
-pub(super) fn complete(vm: &mut Vm<'_>, object: &mut Object) {
-    bounds::drop_superfluous(vm, object);
-    move_legacy_ior(object);
-}
-
-/// Old scenes write `ior` and `caustics` into the finish: the interior takes them
-/// (docs/spec/shading.md 21).
-fn move_legacy_ior(object: &mut Object) {
-    let Some(texture) = &object.texture else { return };
-    let TextureBody::Layered(layers) = &*texture.body else { return };
-    let Some(finish) = layers.iter().rev().map(|layer| &layer.finish).find(|finish| finish.legacy.is_set())
-    else {
-        return;
-    };
-    let legacy = finish.legacy;
-    let interior = Arc::make_mut(extra(object).interior.get_or_insert_default());
-    interior.ior = interior.ior.or(legacy.ior);
-    interior.refraction = interior.refraction.or(legacy.refraction);
-    if let Some(caustics) = legacy.caustics {
-        interior.caustics = caustics;
+/// Checks what has to be there when the statement of an object ends.
+pub(super) fn check(vm: &Vm<'_>, object: &Object) -> Result<()> {
+    let half = object.texture.is_none()
+        && object.extra.as_ref().is_some_and(|extra| extra.interior_texture.is_some());
+    if half {
+        return Err(vm
+            .error(object.span, "this object has an `interior_texture` but no `texture`")
+            .help("give it a `texture { … }` too"));
     }
-    if let Some(distance) = legacy.fade_distance {
-        interior.fade_distance = distance;
-    }
-    if let Some(power) = legacy.fade_power {
-        interior.fade_power = power;
-    }
+    Ok(())
 }

@@ -52,11 +52,23 @@ pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option
                 normal = Some(with_pattern(vm, normal.as_deref(), field)?);
             }
         }
-        None => {}
+        // After the name of a normal a number is its amount too.
+        None => {
+            if let Some(normal) = normal.as_mut()
+                && vm.at_number()?
+            {
+                Arc::make_mut(normal).amount = vm.read_float()? as f32;
+            }
+        }
     }
     modifiers(vm, &mut normal)?;
-    if let Some(normal) = &normal {
-        check(vm, normal)?;
+    match &normal {
+        Some(normal) => check(vm, normal)?,
+        None => {
+            return Err(vm
+                .expected("a pattern")
+                .help("a normal begins with its pattern, such as `bumps 0.5`"));
+        }
     }
     Ok(normal)
 }

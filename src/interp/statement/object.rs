@@ -56,7 +56,7 @@ pub(in crate::interp) fn statement(vm: &mut Vm<'_>) -> Result<Object> {
     };
     while modifier::read(vm, &mut object)? {}
     vm.close(block)?;
-    modifier::complete(vm, &mut object);
+    modifier::check(vm, &object)?;
     Ok(object)
 }
 

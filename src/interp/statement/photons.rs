@@ -15,8 +15,8 @@ pub(super) fn of_object(vm: &mut Vm<'_>, photons: &mut Option<PhotonFlags>) -> R
                 let density = if vm.at_number()? { vm.read_float()? } else { 1.0 };
                 flags.target = (density > 0.0).then_some(density);
             }
-            Word::Refraction => flags.refraction = Some(vm.after_word(Vm::read_flag)?),
-            Word::Reflection => flags.reflection = Some(vm.after_word(Vm::read_flag)?),
+            Word::Refraction => flags.refraction = Some(vm.after_word(Vm::read_float)? > 0.0),
+            Word::Reflection => flags.reflection = Some(vm.after_word(Vm::read_float)? > 0.0),
             Word::PassThrough => flags.pass_through = vm.after_word(Vm::read_flag)?,
             Word::Collect => flags.ignore_photons = !vm.after_word(Vm::read_flag)?,
             _ => break,
@@ -52,8 +52,8 @@ pub(super) fn of_light(vm: &mut Vm<'_>) -> Result<LightPhotons> {
     let mut photons = LightPhotons::default();
     while let Some(word) = vm.peek_word()? {
         match word {
-            Word::Refraction => photons.refraction = Some(vm.after_word(Vm::read_flag)?),
-            Word::Reflection => photons.reflection = Some(vm.after_word(Vm::read_flag)?),
+            Word::Refraction => photons.refraction = Some(vm.after_word(Vm::read_float)? > 0.0),
+            Word::Reflection => photons.reflection = Some(vm.after_word(Vm::read_float)? > 0.0),
             Word::AreaLight => {
                 vm.next()?;
                 photons.area_light = true;

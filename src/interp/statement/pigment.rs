@@ -6,7 +6,6 @@ use super::pattern::{self, Owner};
 use super::{color, image, map};
 use crate::interp::value::Value;
 use crate::interp::{Result, Vm, Word};
-use crate::math::Rgbft;
 use crate::scene::pigment::{BlendMap, PigmentKind};
 use crate::scene::{Field, Pattern, Pigment};
 use crate::source::Span;
@@ -22,14 +21,9 @@ pub(in crate::interp) fn block(vm: &mut Vm<'_>, base: &Arc<Pigment>) -> Result<A
 /// Reads `density { … }`, whose keyword comes next.
 pub(in crate::interp) fn density(vm: &mut Vm<'_>) -> Result<Arc<Pigment>> {
     let block = vm.enter()?;
-    let density = body(vm, &empty(), Owner::Density)?;
+    let density = body(vm, &Arc::clone(&vm.state.unset), Owner::Density)?;
     vm.close(block)?;
     Ok(density)
-}
-
-/// A pigment without anything: black.
-pub(in crate::interp) fn empty() -> Arc<Pigment> {
-    Arc::new(Pigment::color(Rgbft::BLACK))
 }
 
 /// Reads the inside of a pigment or density, as it also stands in a map.
@@ -39,9 +33,10 @@ pub(super) fn body(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result
         (Value::Density(density), Owner::Density) => Some(Arc::clone(density)),
         _ => None,
     })?;
-    let is_named = named.is_some();
+    let mut given = named.is_some() || !Arc::ptr_eq(base, &vm.state.unset);
     let mut pigment = named.unwrap_or_else(|| Arc::clone(base));
     if vm.at_color()? {
+        given = true;
         pigment = Arc::new(Pigment {
             kind: PigmentKind::Color(color::rgbft(vm)?),
             quick_color: pigment.quick_color,
@@ -60,22 +55,29 @@ pub(super) fn body(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result
                 vm.close(inner)?;
                 let field = replaced(&pigment, Field::new(inner.span, Pattern::Image(Arc::clone(&map))));
                 Arc::make_mut(&mut pigment).kind = PigmentKind::Image { field: Arc::new(field), map };
+                given = true;
             }
             Some(_) => {
                 if let Some(field) = pattern::read(vm, owner)? {
                     pigment = with_pattern(vm, &pigment, field, owner)?;
+                    given = true;
                 }
             }
-            None if !is_named => warn_about_missing(vm, owner)?,
-            None => {}
+            None => refuse_numbers(vm, owner)?,
         }
     }
-    modifiers(vm, &mut pigment, owner)?;
+    if !given && matches!(pigment.kind, PigmentKind::Color(_)) && owner == Owner::Pigment {
+        let place = vm.here()?;
+        let help = "begin it with a color such as `rgb 1`, or a pattern such as `bozo`; it stays as it was";
+        vm.warn(place, "this pigment has no color and no pattern", help);
+    }
+    modifiers(vm, &mut pigment, owner, given)?;
     check(vm, &pigment)?;
     Ok(pigment)
 }
 
-fn warn_about_missing(vm: &mut Vm<'_>, owner: Owner) -> Result<()> {
+/// A pigment cannot be plain numbers.
+fn refuse_numbers(vm: &mut Vm<'_>, owner: Owner) -> Result<()> {
     use crate::interp::stream::TokenKind;
     if matches!(vm.peek()?.kind, TokenKind::Number(_) | TokenKind::Vector(_)) && owner == Owner::Pigment {
         let fault = vm.expected("a color or a pattern");
@@ -131,12 +133,13 @@ fn list(vm: &mut Vm<'_>, field: Field, count: usize, owner: Owner) -> Result<Pig
 /// What entries of maps and lists start from.
 fn default(vm: &Vm<'_>, owner: Owner) -> Arc<Pigment> {
     match owner {
-        Owner::Density => empty(),
+        Owner::Density => Arc::clone(&vm.state.unset),
         _ => vm.state.pigment(),
     }
 }
 
-fn modifiers(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner) -> Result<()> {
+/// Reads what follows colour or pattern; `given` says that there was one.
+fn modifiers(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner, given: bool) -> Result<()> {
     // A plain colour takes modifiers too, and has no use for them.
     let mut unused = None;
     while let Some(word) = vm.peek_word()? {
@@ -144,7 +147,15 @@ fn modifiers(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner) -> Resul
             Word::ColorMap | Word::ColourMap => {
                 let place = vm.here()?;
                 let map = map::colors(vm)?;
+                if !given && pigment.field().is_none() {
+                    continue;
+                }
                 let field = mapped(vm, pigment, word, place)?;
+                if matches!(field.pattern, Pattern::Average) {
+                    return Err(vm
+                        .error(place, "`average` mixes pigments, not colors")
+                        .help("write `pigment_map` instead of `color_map`"));
+                }
                 Arc::make_mut(pigment).kind = PigmentKind::Colors { field, map: Some(map) };
             }
             Word::PigmentMap | Word::DensityMap
@@ -153,8 +164,15 @@ fn modifiers(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner) -> Resul
                 let place = vm.here()?;
                 let average = pigment.field().is_some_and(|field| matches!(field.pattern, Pattern::Average));
                 let map = map::pigments(vm, owner, &default(vm, owner), average)?;
+                if !given && pigment.field().is_none() {
+                    continue;
+                }
                 let field = mapped(vm, pigment, word, place)?;
                 Arc::make_mut(pigment).kind = PigmentKind::Pigments { field, map };
+            }
+            // Bumps are no concern of a pigment, but the word is taken.
+            Word::NoBumpScale => {
+                vm.next()?;
             }
             Word::QuickColor | Word::QuickColour => {
                 vm.next()?;

@@ -1,10 +1,12 @@
 //! Small steps every reader of a statement takes.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::interp::stream::TokenKind;
 use crate::interp::value::Value;
 use crate::interp::{Block, Result, Vm};
+use crate::scene::Function;
 use crate::source::{FileKind, Missing, Span};
 use crate::syntax::Punct;
 
@@ -57,6 +59,17 @@ impl Vm<'_> {
                 .see(open.span, "the list begins here"));
         }
         Ok(numbers)
+    }
+
+    /// Reads `function { expression }` of x, y and z; its keyword comes next. A list of parameters and
+    /// the bodies that are no expressions are refused.
+    pub(super) fn read_plain_function(&mut self) -> Result<Arc<Function>> {
+        let keyword = self.next()?;
+        if self.peek()?.kind != TokenKind::Punct(Punct::OpenBrace) {
+            let fault = self.expected("`{`");
+            return Err(fault.help("the parameters of this function are x, y and z: leave the list out"));
+        }
+        Ok(Arc::new(self.read_function_after(keyword, false)?))
     }
 
     /// Whether a single number comes next, not a vector.

@@ -25,7 +25,10 @@ pub(in crate::interp) fn block(vm: &mut Vm<'_>) -> Result<SkySphere> {
             continue;
         }
         match vm.peek_word()? {
-            Some(Word::Pigment) => sky.pigments.push(pigment::block(vm, &pigment::empty())?),
+            Some(Word::Pigment) => {
+                let empty = vm.state.empty();
+                sky.pigments.push(pigment::block(vm, &empty)?);
+            }
             Some(Word::Emission) => sky.emission = vm.after_word(color::rgb)?,
             _ => break,
         }

@@ -12,10 +12,13 @@ use crate::scene::texture::{Layer, TextureBody};
 use crate::scene::{
     Camera, Finish, Fog, Media, Normal, Object, Pigment, Rainbow, Scene, Settings, Shape, SkySphere, Texture,
 };
+use crate::source::Span;
 
 /// What the statements of a scene have said so far.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct State {
+    /// A pigment that nothing was said about: black.
+    pub(super) unset: Arc<Pigment>,
     /// The default texture: always a single layer.
     pub(super) texture: Texture,
     /// What a camera starts from.
@@ -35,7 +38,39 @@ pub struct State {
     objects: Vec<Arc<Object>>,
 }
 
+impl Default for State {
+    fn default() -> Self {
+        let unset = Arc::new(Pigment::color(Rgbft::BLACK));
+        let layer = Layer {
+            span: Span::default(),
+            pigment: Arc::clone(&unset),
+            normal: None,
+            finish: Arc::default(),
+        };
+        Self {
+            unset,
+            texture: Texture::new(TextureBody::Layered(vec![layer])),
+            camera: Draft::default(),
+            importance: None,
+            settings: Settings::default(),
+            has_noise_generator: false,
+            scene_camera: None,
+            background: None,
+            sky_sphere: None,
+            fogs: Vec::new(),
+            rainbows: Vec::new(),
+            atmosphere: Vec::new(),
+            objects: Vec::new(),
+        }
+    }
+}
+
 impl State {
+    /// A pigment that nothing was said about.
+    pub(super) fn empty(&self) -> Arc<Pigment> {
+        Arc::clone(&self.unset)
+    }
+
     /// The default texture's only layer, to be changed.
     pub(super) fn layer(&mut self) -> &mut Layer {
         let body = Arc::make_mut(&mut self.texture.body);
@@ -57,7 +92,7 @@ impl State {
 
     /// The default pigment.
     pub(super) fn pigment(&self) -> Arc<Pigment> {
-        self.top().map_or_else(super::pigment::empty, |layer| Arc::clone(&layer.pigment))
+        self.top().map_or_else(|| self.empty(), |layer| Arc::clone(&layer.pigment))
     }
 
     /// The default normal.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::interp::value::Value;
-use crate::interp::{Result, Vm, Word};
+use crate::interp::{Result, Token, Vm, Word};
 use crate::math::{DVec3, Transform};
 use crate::source::Span;
 
@@ -22,9 +22,19 @@ pub(in crate::interp) fn item(vm: &mut Vm<'_>) -> Result<Option<Transform>> {
 /// Reads `transform ID` or `transform { … }`.
 pub(in crate::interp) fn value(vm: &mut Vm<'_>) -> Result<Arc<Transform>> {
     let keyword = vm.next()?;
-    if let Some(named) = variable(vm)? {
-        return Ok(named);
+    match variable(vm)? {
+        Some(named) => Ok(named),
+        None => body(vm, keyword),
     }
+}
+
+/// Reads `transform { … }`.
+pub(super) fn braced(vm: &mut Vm<'_>) -> Result<Arc<Transform>> {
+    let keyword = vm.next()?;
+    body(vm, keyword)
+}
+
+fn body(vm: &mut Vm<'_>, keyword: Token) -> Result<Arc<Transform>> {
     let block = vm.open(keyword)?;
     let (mut transform, mut inverse) = (Transform::IDENTITY, false);
     loop {

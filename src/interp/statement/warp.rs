@@ -94,7 +94,25 @@ fn black_hole(vm: &mut Vm<'_>) -> Result<Warp> {
             _ => break,
         }
     }
+    mend_repeat(vm, &mut hole);
     Ok(Warp::BlackHole(Box::new(hole)))
+}
+
+/// The hole has to fit into each of the blocks it repeats in (docs/spec/patterns-textures.md 5.2).
+fn mend_repeat(vm: &mut Vm<'_>, hole: &mut BlackHole) {
+    let Some(repeat) = &mut hole.repeat else { return };
+    let mut mended = false;
+    for axis in 0..3 {
+        if repeat[axis] > 0.0 {
+            hole.center[axis] = hole.center[axis].max(hole.radius);
+            let least = hole.center[axis] + hole.radius + hole.turbulence[axis];
+            mended |= repeat[axis] < least;
+            repeat[axis] = repeat[axis].max(least);
+        }
+    }
+    if mended {
+        vm.warn(vm.last, "this black hole repeats in blocks too small for it", "the blocks are made larger");
+    }
 }
 
 /// What the warps that wrap a pattern around something share.
@@ -130,6 +148,6 @@ fn planar(vm: &mut Vm<'_>) -> Result<Warp> {
 }
 
 fn direction(vm: &mut Vm<'_>) -> Result<DVec3> {
-    let (direction, place) = vm.located(Vm::read_vector)?;
-    direction.try_normalize().ok_or_else(|| vm.error(place, "this direction has no length"))
+    let direction = vm.read_vector()?;
+    Ok(direction.normalize_or_zero())
 }

@@ -34,6 +34,9 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<MeshCamera> {
         vm.comma()?;
     }
     if vm.accept(Word::Smooth)? {
+        if distribution != 3 {
+            return Err(vm.error(vm.last, "only a mesh_camera of type 3 can be `smooth`"));
+        }
         camera.smooth = true;
     }
     vm.close(block)?;

@@ -195,7 +195,8 @@ fn item(vm: &mut Vm<'_>, draft: &mut Draft, word: Word, old: bool) -> Result<boo
             let block = vm.enter()?;
             while vm.peek_word()? == Some(Word::Pigment) {
                 let inner = vm.enter()?;
-                draft.bokeh = Some(pigment::body(vm, &pigment::empty(), Owner::Pigment)?);
+                let empty = vm.state.empty();
+                draft.bokeh = Some(pigment::body(vm, &empty, Owner::Pigment)?);
                 vm.close(inner)?;
             }
             vm.close(block)?;

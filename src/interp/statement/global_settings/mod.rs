@@ -79,10 +79,7 @@ pub(super) fn max_trace_level(vm: &mut Vm<'_>) -> Result<u32> {
     if level > MOST {
         vm.warn(place, format!("`max_trace_level` is at most {MOST}"), "256 is taken");
     }
-    if level < 1 {
-        return Err(vm.error(place, "`max_trace_level` is at least 1"));
-    }
-    Ok(level.min(MOST) as u32)
+    Ok(level.clamp(1, MOST) as u32)
 }
 
 fn assumed_gamma(vm: &mut Vm<'_>) -> Result<()> {

@@ -40,9 +40,10 @@ pub(super) fn block(vm: &mut Vm<'_>) -> Result<PhotonSettings> {
                 vm.comma()?;
                 let least = vm.read_int()?;
                 if tolerance < 0.0 || least < 0 {
-                    return Err(vm.error(place.to(vm.last), "`expand_thresholds` cannot be negative"));
+                    vm.warn(place.to(vm.last), "`expand_thresholds` cannot be negative", "0 is taken");
                 }
-                (settings.expand_tolerance, settings.expand_minimum) = (tolerance as f32, least as u32);
+                settings.expand_tolerance = tolerance.max(0.0) as f32;
+                settings.expand_minimum = least.max(0) as u32;
             }
             Word::Autostop => settings.autostop = vm.after_word(Vm::read_float)? as f32,
             Word::AdcBailout => settings.adc_bailout = Some(vm.after_word(Vm::read_float)? as f32),

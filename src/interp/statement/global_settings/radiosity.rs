@@ -19,6 +19,9 @@ pub(super) fn block(vm: &mut Vm<'_>) -> Result<()> {
         }
     }
     vm.close(block)?;
+    if settings.pretrace_end > settings.pretrace_start {
+        return Err(vm.error(block.span, "`pretrace_end` is at most `pretrace_start`"));
+    }
     if settings.minimum_reuse > settings.maximum_reuse / 2.0 {
         match (least, most) {
             (false, true) => settings.minimum_reuse = settings.maximum_reuse / 2.0,

@@ -41,6 +41,9 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
 
 /// Reads the value of `exponent`, `interior` or `exterior`, whose word has been taken.
 pub(super) fn option(vm: &mut Vm<'_>, fractal: &mut Fractal, word: Word) -> Result<()> {
+    if word == Word::Exponent && fractal.kind != FractalKind::Mandel {
+        return Err(vm.error(vm.last, "`magnet` has no exponent").help("only `mandel` and `julia` have one"));
+    }
     let (number, place) = vm.located(Vm::read_int)?;
     if word == Word::Exponent {
         fractal.exponent = if (2..=33).contains(&number) {

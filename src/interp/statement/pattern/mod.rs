@@ -118,7 +118,7 @@ pub(super) fn read(vm: &mut Vm<'_>, owner: Owner) -> Result<Option<Field>> {
     }
     let pattern = match word {
         Word::DensityFile => density_file::read(vm)?,
-        Word::Function => Pattern::Function(Arc::new(vm.read_function()?)),
+        Word::Function => Pattern::Function(vm.read_plain_function()?),
         Word::Gradient => Pattern::Gradient(vm.after_word(Vm::read_vector)?.normalize_or_zero()),
         Word::ImagePattern => {
             let block = vm.enter()?;
@@ -131,7 +131,8 @@ pub(super) fn read(vm: &mut Vm<'_>, owner: Owner) -> Result<Option<Field>> {
         Word::Pavement => pavement::read(vm)?,
         Word::PigmentPattern => {
             let block = vm.enter()?;
-            let inner = pigment::body(vm, &pigment::empty(), Owner::Pigment)?;
+            let empty = vm.state.empty();
+            let inner = pigment::body(vm, &empty, Owner::Pigment)?;
             vm.close(block)?;
             Pattern::Pigment(inner)
         }

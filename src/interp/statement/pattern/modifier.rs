@@ -128,7 +128,7 @@ fn own(vm: &mut Vm<'_>, field: &mut Field, word: Word, place: Span) -> Result<()
             *metric = vm.read_float()?
         }
         (Pattern::Crackle { offset, .. }, Word::Offset) => *offset = vm.read_float()?,
-        (Pattern::Crackle { solid, .. }, Word::Solid) => *solid = vm.read_flag()?,
+        (Pattern::Crackle { solid, .. }, Word::Solid) => *solid = true,
         (Pattern::Facets { size, .. }, Word::Size) => *size = vm.read_float()?,
         (Pattern::Facets { coords, .. }, Word::Coords) => *coords = vm.read_float()?,
         (Pattern::Quilted { control0, .. }, Word::Control0) => *control0 = vm.read_float()? as f32,

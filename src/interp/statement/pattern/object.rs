@@ -10,9 +10,8 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
     let _open = vm.enter()?;
     let Some(inner) = object::any(vm)? else { return Err(vm.expected("an object")) };
     if object::is_patch(&inner.shape) {
-        return Err(vm
-            .error(inner.span, "a pattern needs an object with an inside")
-            .help("use a solid; a mesh needs an `inside_vector`"));
+        let help = "every point is outside of it: use a solid; a mesh needs an `inside_vector`";
+        vm.warn(inner.span, "this object has no inside to make a pattern of", help);
     }
     vm.comma()?;
     Ok(Pattern::Object(inner))

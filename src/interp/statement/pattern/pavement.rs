@@ -46,16 +46,5 @@ fn check(vm: &Vm<'_>, pavement: &Pavement, place: Span) -> Result<()> {
         let message = format!("`pattern` is 1 to {most} for {tiles} tiles of {} sides", pavement.sides);
         return Err(vm.error(place, message));
     }
-    let greatest_exterior = if pavement.sides == 6 { 0 } else { 2 };
-    let greatest_form = if pavement.sides == 6 { 3 } else { 4 };
-    for (word, value, most) in [
-        ("exterior", pavement.exterior, greatest_exterior),
-        ("interior", pavement.interior, 2),
-        ("form", pavement.form, greatest_form),
-    ] {
-        if value > most {
-            return Err(vm.error(place, format!("`{word}` is 0 to {most} here, not {value}")));
-        }
-    }
     Ok(())
 }

@@ -19,7 +19,6 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
             Word::Component => blob.components.push(vm.after_word(legacy)?),
             _ => break,
         }
-        vm.comma()?;
     }
     if blob.components.is_empty() {
         return Err(vm

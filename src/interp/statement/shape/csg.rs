@@ -22,7 +22,6 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<(Shape, ObjectFlags
     while let Some(child) = object::any(vm)? {
         warn_about_patch(vm, operation, &child);
         children.push(child);
-        vm.comma()?;
     }
     // One object was usual in version 1 scenes (docs/spec/language.md 2.11).
     if children.len() < 2 && vm.version >= 150 {

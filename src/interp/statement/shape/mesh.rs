@@ -21,7 +21,6 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
             Word::InsideVector => build.mesh.inside_vector = vm.after_word(inside_vector)?,
             _ => break,
         }
-        vm.comma()?;
     }
     if build.mesh.faces.is_empty() {
         return Err(vm
@@ -57,10 +56,10 @@ fn face(vm: &mut Vm<'_>, build: &mut Build, smooth: bool) -> Result<()> {
     } else {
         (triangle::corners(vm)?, None)
     };
-    let (mut texture_coordinates, mut textures) = (None, FaceTextures::Inherited);
-    while let Some(word) = vm.peek_word()? {
+    let mut textures = FaceTextures::Inherited;
+    let texture_coordinates = if vm.accept(Word::UvVectors)? { Some(uvs::<3>(vm)?) } else { None };
+    if let Some(word) = vm.peek_word()? {
         match word {
-            Word::UvVectors => texture_coordinates = Some(vm.after_word(uvs::<3>)?),
             Word::Texture => {
                 let inner = vm.enter()?;
                 textures = FaceTextures::One(build.texture(vm)?);
@@ -76,7 +75,7 @@ fn face(vm: &mut Vm<'_>, build: &mut Build, smooth: bool) -> Result<()> {
                 textures = FaceTextures::Three(list);
                 vm.close(inner)?;
             }
-            _ => break,
+            _ => {}
         }
     }
     vm.close(block)?;

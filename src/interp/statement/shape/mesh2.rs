@@ -15,6 +15,20 @@ use crate::source::Span;
 pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
     let mut mesh = Mesh::default();
     while let Some(word) = vm.peek_word()? {
+        let taken = match word {
+            Word::VertexVectors => !mesh.vertices.is_empty(),
+            Word::NormalVectors => !mesh.normals.is_empty(),
+            Word::UvVectors => !mesh.uvs.is_empty(),
+            _ => false,
+        };
+        if taken {
+            let place = vm.here()?;
+            vm.warn(
+                place,
+                format!("this mesh2 has `{}` already", word.text()),
+                "the first list is forgotten",
+            );
+        }
         match word {
             Word::VertexVectors => mesh.vertices = list(vm, Vm::read_vector)?,
             Word::NormalVectors => mesh.normals = normals(vm)?,
@@ -68,11 +82,11 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
         }
     }
     if !has_uvs {
-        let shared = per_vertex(vm, block, "uv", mesh.uvs.len(), mesh.vertices.len())?;
+        let shared = per_vertex(vm, block, "uv", mesh.uvs.len(), mesh.vertices.len(), true)?;
         share(&mut mesh.faces, shared, |face, indices| face.uvs = Some(indices));
     }
     if !has_normals {
-        let shared = per_vertex(vm, block, "normal", mesh.normals.len(), mesh.vertices.len())?;
+        let shared = per_vertex(vm, block, "normal", mesh.normals.len(), mesh.vertices.len(), false)?;
         share(&mut mesh.faces, shared, |face, indices| face.normals = Some(indices));
     }
     if vm.peek_word()? == Some(Word::InsideVector) {
@@ -198,12 +212,20 @@ fn check(vm: &Vm<'_>, what: &str, count: usize, index: i32, start: Span) -> Resu
     }
 }
 
-/// How a list without indices belongs to the corners: `None` where there is no list.
-fn per_vertex(vm: &Vm<'_>, block: &Block, what: &str, count: usize, vertices: usize) -> Result<Option<bool>> {
+/// How a list without indices belongs to the corners: `None` where there is no list, and whether
+/// there is one entry for each. A single one may serve all, where `shared` says so.
+fn per_vertex(
+    vm: &Vm<'_>,
+    block: &Block,
+    what: &str,
+    count: usize,
+    vertices: usize,
+    shared: bool,
+) -> Result<Option<bool>> {
     match count {
         0 => Ok(None),
         _ if count == vertices => Ok(Some(true)),
-        1 => Ok(Some(false)),
+        1 if shared => Ok(Some(false)),
         _ => Err(vm
             .error(block.span, format!("this mesh2 has {count} {what} vectors for {vertices} vertices"))
             .help(format!("give as many as vertices, or say with `{what}_indices` which belongs where"))),

@@ -154,7 +154,7 @@ fn uvs<const N: usize>(vm: &mut Vm<'_>) -> Result<[DVec2; N]> {
 /// Reads `function { … }` of an isosurface or a parametric surface: parameters are x, y, z.
 fn function(vm: &mut Vm<'_>) -> Result<Arc<Function>> {
     match vm.peek_word()? {
-        Some(Word::Function) => Ok(Arc::new(vm.read_function()?)),
+        Some(Word::Function) => vm.read_plain_function(),
         _ => Err(vm.expected("`function { … }`")),
     }
 }

@@ -6,7 +6,7 @@ use super::{contour, points};
 use crate::interp::{Result, Vm, Word};
 use crate::math::DVec2;
 use crate::scene::Shape;
-use crate::scene::shape::{ContourSpline, Prism};
+use crate::scene::shape::{ContourSpline, Csg, CsgOperation, Prism};
 
 /// Points nearer than this coincide.
 const SAME: f64 = 1e-10;
@@ -29,11 +29,16 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
     let count = contour::count(vm, "prism", spline, [3, 5, 6, 4])?;
     let start = vm.here()?;
     let mut points = points(vm, count, Vm::read_uv)?;
+    let place = start.to(vm.last);
+    let open = vm.accept(Word::Open)?;
+    if spline != ContourSpline::Linear && !is_closed(spline, &points) {
+        vm.warn(place, "this prism is not closed", "it is left out; end each contour where it begins");
+        let nothing = Csg { operation: CsgOperation::Union, children: Vec::new(), split_union: true };
+        return Ok(Shape::Csg(Arc::new(nothing)));
+    }
     if spline == ContourSpline::Linear && !close_last(&mut points) {
-        let place = start.to(vm.last);
         vm.warn(place, "this prism is not closed", "repeat the first point of each contour at its end");
     }
-    let open = vm.accept(Word::Open)?;
     Ok(Shape::Prism(Arc::new(Prism { spline, conic, heights: [a.min(b), a.max(b)], points, open })))
 }
 
@@ -56,9 +61,50 @@ fn close_last(points: &mut Vec<DVec2>) -> bool {
     }
 }
 
+/// Whether every contour ends where it begins. Control points stand before a quadratic contour, and
+/// around a cubic one (docs/spec/primitives.md 6.3).
+fn is_closed(spline: ContourSpline, points: &[DVec2]) -> bool {
+    let same = |a: usize, b: usize| points[a].distance(points[b]) < SAME;
+    if spline == ContourSpline::Bezier {
+        let mut first = 0;
+        return (3..points.len()).step_by(4).all(|end| {
+            let goes_on = end + 1 < points.len() && same(end, end + 1);
+            let closed = goes_on || same(end, first);
+            if !goes_on {
+                first = end + 1;
+            }
+            closed
+        });
+    }
+    let (controls_after, end) = match spline {
+        ContourSpline::Cubic => (1, points.len() - 1),
+        _ => (0, points.len()),
+    };
+    let mut first = 1;
+    while first < end {
+        match (first + 1..end).find(|&at| same(at, first)) {
+            Some(at) => first = at + controls_after + 2,
+            None => return false,
+        }
+    }
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn control_points_are_no_part_of_a_contour() {
+        let (o, a, b, c) = (DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE);
+        assert!(is_closed(ContourSpline::Quadratic, &[c, o, a, b, o]));
+        assert!(!is_closed(ContourSpline::Quadratic, &[o, a, b, o, c]));
+        assert!(is_closed(ContourSpline::Cubic, &[c, o, a, b, o, c]));
+        assert!(is_closed(ContourSpline::Cubic, &[c, o, a, b, o, c, c, a, o, b, a, c]));
+        assert!(!is_closed(ContourSpline::Cubic, &[o, a, b, c, o, a]));
+        assert!(is_closed(ContourSpline::Bezier, &[o, a, b, c, c, a, b, o]));
+        assert!(!is_closed(ContourSpline::Bezier, &[o, a, b, c]));
+    }
 
     #[test]
     fn an_open_contour_gets_its_first_point_again() {

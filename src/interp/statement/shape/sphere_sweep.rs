@@ -16,6 +16,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
         _ => return Err(vm.expected("`linear_spline`, `cubic_spline` or `b_spline`")),
     };
     vm.next()?;
+    vm.comma()?;
     let (count, place) = vm.located(Vm::read_int)?;
     if count < least {
         return Err(vm.error(place, format!("this sphere_sweep needs at least {least} spheres, not {count}")));

@@ -18,7 +18,7 @@ pub(super) fn triangle(vm: &mut Vm<'_>) -> Result<Shape> {
 pub(super) fn smooth_triangle(vm: &mut Vm<'_>) -> Result<Shape> {
     let start = vm.here()?;
     let (corners, normals) = smooth_corners(vm)?;
-    if is_degenerate(&corners) {
+    if is_degenerate(&corners) || normals.contains(&DVec3::ZERO) {
         warn_degenerate(vm, start);
     }
     Ok(Shape::Triangle(Box::new(Triangle { corners, normals: Some(normals) })))
