@@ -1,7 +1,7 @@
 //! Scene files in, reports out: each file of `tests/syntax/invalid` is named after the mistake in
 //! it, and its snapshot is what a user sees. What POV-Ray's own files hold has to be readable.
 
-use povista::diag::Severity;
+use povista::diag::{Severity, plain};
 use povista::interp::check::{Checked, check_with};
 use povista::options::LanguageOptions;
 use povista::source::{FileId, Library, Source, Span};
@@ -57,7 +57,9 @@ fn check_file(path: &Path) -> Checked {
 
 /// Compares the report, and what the scene wrote, with the snapshot.
 fn snapshot(verdict: &str, checked: &Checked) {
-    let mut report = checked.to_string();
+    // What concerns the scene as a whole, such as that it has no objects, is no matter here.
+    let placed = checked.diagnostics.iter().filter(|diagnostic| diagnostic.span.is_some());
+    let mut report: String = placed.map(|diagnostic| plain(diagnostic, &checked.sources)).collect();
     if !checked.debug.is_empty() {
         report = format!("{report}--- debug\n{}", checked.debug);
     }
