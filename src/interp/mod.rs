@@ -105,6 +105,8 @@ pub struct Vm<'a> {
     pub state: statement::State,
     /// Where the last token that was taken stands.
     pub last: Span,
+    /// Objects and functions that expressions have asked about.
+    compiled: builtin::probe::Compiled,
     sink: &'a mut dyn Sink,
     symbols: Symbols,
     trees: FxHashMap<FileId, Rc<Code>>,
@@ -170,6 +172,7 @@ impl<'a> Vm<'a> {
             gamma: None,
             state: statement::State::default(),
             last,
+            compiled: builtin::probe::Compiled::default(),
             sink,
             symbols,
             trees: FxHashMap::default(),

@@ -1,13 +1,33 @@
 //! What expressions ask of things that have to be compiled: objects and functions. This is the
 //! only file of `interp` that reaches the later stages.
 
+use std::rc::Rc;
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+
 use super::arguments;
+use crate::compile::probe::Probe;
+use crate::compile::texture::TextureCompiler;
+use crate::compile::{Reason, Unsupported};
+use crate::interp::stream::TokenKind;
 use crate::interp::tuple::Tuple;
 use crate::interp::value::Value;
-use crate::interp::{Result, Vm, Word};
+use crate::interp::{Fault, Result, Vm, Word};
 use crate::math::DVec3;
+use crate::math::noise::Octaves;
+use crate::scene::settings::Settings;
+use crate::scene::{Function, Object};
 use crate::source::Span;
 use crate::syntax::{Punct, Symbol};
+use crate::world;
+
+/// What has been compiled, by the address of the shared value, which is kept so that it stays its own.
+#[derive(Default)]
+pub struct Compiled {
+    functions: FxHashMap<*const Function, (Arc<Function>, Arc<world::Function>)>,
+    objects: FxHashMap<*const Object, (Arc<Object>, Rc<Probe>)>,
+}
 
 /// Reads the arguments of a function or spline whose name was just taken, and computes it.
 pub fn call(vm: &mut Vm, called: &Value, name: Symbol, span: Span) -> Result<Tuple> {
@@ -18,29 +38,138 @@ pub fn call(vm: &mut Vm, called: &Value, name: Symbol, span: Span) -> Result<Tup
             let value = crate::math::spline::evaluate(kind, &spline.points, at);
             Ok(Tuple::new(&value[..spline.size]))
         }),
-        _ => {
-            let name = vm.name(name);
-            Err(vm.error(span, format!("calling the function `{name}` is not supported yet")))
+        Value::Function(function) => {
+            let compiled = compiled_function(vm, function, span)?;
+            let numbers = arguments(vm, |vm| {
+                let mut numbers = Vec::with_capacity(compiled.parameters);
+                for i in 0..compiled.parameters {
+                    if i > 0 {
+                        vm.comma()?;
+                    }
+                    numbers.push(vm.read_float()?);
+                }
+                Ok(numbers)
+            });
+            let numbers = numbers.map_err(|fault| {
+                fault.help(match compiled.parameters {
+                    1 => format!("`{}` takes one number", vm.name(name)),
+                    count => format!("`{}` takes {count} numbers", vm.name(name)),
+                })
+            })?;
+            let mut value = [0.0; 5];
+            let size = compiled.call_vector(&numbers, &mut value);
+            Ok(Tuple::new(&value[..size]))
         }
+        _ => Err(vm.expected("a number or vector")),
     }
 }
 
 /// `inside(OBJECT, point)`, its name just taken.
 pub fn inside(vm: &mut Vm, span: Span) -> Result<f64> {
-    Err(vm.error(span, "`inside` is not supported yet"))
+    arguments(vm, |vm| {
+        let object = read_object(vm, span)?;
+        vm.comma()?;
+        Ok(f64::from(u8::from(object.inside(vm.read_vector()?))))
+    })
 }
 
 /// `trace(OBJECT, origin, direction [, normal])`, its name just taken.
 pub fn trace(vm: &mut Vm, span: Span) -> Result<DVec3> {
-    Err(vm.error(span, "`trace` is not supported yet"))
+    arguments(vm, |vm| {
+        let object = read_object(vm, span)?;
+        vm.comma()?;
+        let origin = vm.read_vector()?;
+        vm.comma()?;
+        let direction = vm.read_vector()?;
+        let (point, normal) = object.trace(origin, direction).unwrap_or_default();
+        if vm.accept_punct(Punct::Comma)? {
+            let token = vm.peek()?;
+            let place = vm.place.clone();
+            match place {
+                Some(place) if matches!(place.get(), Some(Value::Vector3(_))) => {
+                    vm.take(token);
+                    let set = place.set(Value::Vector3(normal.to_array()));
+                    set.map_err(|message| vm.error(token.span, message))?;
+                }
+                _ => {
+                    let fault = vm.expected("a variable that holds a vector");
+                    return Err(fault.help("`trace` stores the normal there: declare the variable first, as in `#declare Normal = <0,0,0>;`"));
+                }
+            }
+        }
+        Ok(point)
+    })
 }
 
 /// `min_extent` or `max_extent`, its name just taken.
 pub fn extent(vm: &mut Vm, word: Word, span: Span) -> Result<DVec3> {
-    Err(vm.error(span, format!("`{}` is not supported yet", word.text())))
+    arguments(vm, |vm| {
+        let bounds = read_object(vm, span)?.bounds();
+        Ok(if word == Word::MinExtent { bounds.min } else { bounds.max })
+    })
 }
 
 /// `vturbulence(lambda, omega, octaves, point)`, its name just taken.
-pub fn turbulence(vm: &mut Vm, span: Span) -> Result<DVec3> {
-    Err(vm.error(span, "`vturbulence` is not supported yet"))
+pub fn turbulence(vm: &mut Vm, _span: Span) -> Result<DVec3> {
+    arguments(vm, |vm| {
+        let mut numbers = [0.0; 3];
+        for number in &mut numbers {
+            *number = vm.read_float()?;
+            vm.comma()?;
+        }
+        let [lambda, omega, octaves] = numbers;
+        let count = octaves.clamp(1.0, 10.0) as u32;
+        Ok(Octaves { count, omega, lambda }.vector(vm.read_vector()?))
+    })
+}
+
+/// The compiled form of a function.
+fn compiled_function(vm: &mut Vm, function: &Arc<Function>, span: Span) -> Result<Arc<world::Function>> {
+    if let Some((_, compiled)) = vm.compiled.functions.get(&Arc::as_ptr(function)) {
+        return Ok(compiled.clone());
+    }
+    // While a scene is read there are always ten sources of waves (docs/spec/patterns-textures.md 0.1).
+    let settings = Settings { number_of_waves: 10, ..vm.state.settings_in(vm.version, vm.version_written) };
+    let compiled = TextureCompiler::new(&settings)
+        .with_objects(&|object| match Probe::new(object) {
+            Ok(probe) => Ok(Arc::new(probe)),
+            Err(lacking) => Err(first(lacking, object.span)),
+        })
+        .function(function);
+    let compiled = compiled.map_err(|lacking| refused(vm, &lacking, span))?;
+    vm.compiled.functions.insert(Arc::as_ptr(function), (function.clone(), compiled.clone()));
+    Ok(compiled)
+}
+
+/// Reads the name of an object, and compiles it.
+fn read_object(vm: &mut Vm, span: Span) -> Result<Rc<Probe>> {
+    let token = vm.peek()?;
+    let named = matches!(token.kind, TokenKind::Name(_));
+    let value = vm.place.as_ref().filter(|_| named).and_then(|place| place.get());
+    let Some(Value::Object(object)) = value else {
+        let fault = vm.expected("the name of an object");
+        return Err(fault.help("declare the object first: objects can't be written here"));
+    };
+    vm.take(token);
+    if let Some((_, probe)) = vm.compiled.objects.get(&Arc::as_ptr(&object)) {
+        return Ok(probe.clone());
+    }
+    let probe = Probe::new(&object).map_err(|lacking| refused(vm, &first(lacking, object.span), span))?;
+    let probe = Rc::new(probe);
+    vm.compiled.objects.insert(Arc::as_ptr(&object), (object, probe.clone()));
+    Ok(probe)
+}
+
+fn first(lacking: Vec<Unsupported>, span: Span) -> Unsupported {
+    lacking.into_iter().next().unwrap_or_else(|| Unsupported::new(span, "this object"))
+}
+
+/// The error for something that can't be compiled, at the place that asked for it.
+fn refused(vm: &Vm, lacking: &Unsupported, span: Span) -> Fault {
+    let fault = vm.error(span, lacking.to_string());
+    let place = match lacking.reason {
+        Reason::NotYet => "needed here",
+        Reason::Broken => "asked for here",
+    };
+    fault.see(lacking.span, place)
 }

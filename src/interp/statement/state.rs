@@ -71,6 +71,16 @@ impl State {
         Arc::clone(&self.unset)
     }
 
+    /// The settings as they are now, in a language version (times 100) that was `written` or not.
+    pub fn settings_in(&self, version: i32, written: bool) -> Settings {
+        let mut settings = self.settings.clone();
+        settings.version = written.then_some(version.unsigned_abs());
+        if version < 350 && !self.has_noise_generator {
+            settings.noise_generator = 1;
+        }
+        settings
+    }
+
     /// The default texture's only layer, to be changed.
     pub(super) fn layer(&mut self) -> &mut Layer {
         let body = Arc::make_mut(&mut self.texture.body);
@@ -187,12 +197,8 @@ pub fn finish(mut vm: Vm) -> Option<Scene> {
     }
     let written = vm.version_written;
     let version = vm.version;
+    let settings = vm.state.settings_in(version, written);
     let state = std::mem::take(&mut vm.state);
-    let mut settings = state.settings;
-    settings.version = written.then_some(version.unsigned_abs());
-    if version < 350 && !state.has_noise_generator {
-        settings.noise_generator = 1;
-    }
     Some(Scene {
         camera,
         objects: state.objects,
