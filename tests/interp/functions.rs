@@ -36,3 +36,53 @@ fn declarations_that_are_accepted() {
         ("#macro M(a) a*2 #end #declare f=function(x){M(3) #if(1) +x #end}", ""),
     ]);
 }
+
+/// docs/spec/language.md 4.4.
+#[test]
+fn calls_give_what_pov_ray_gives() {
+    probe(&[
+        ("#declare f=function(x,y,z){x|y&z}; F(f(1,0,0))", "1"),
+        ("#declare f=function(x,y,z){x+y<z*2}; F(f(1,2,3))", "1"),
+        ("#declare f=function(x){x=1}; F(f(1+1e-12))", "0"),
+        ("#declare f=function(u,v){x*10+y}; F(f(1,2)) #declare g=function(a){a+x+y+z}; F(g(2))", "12 2"),
+        ("#declare f=function(x){sum(i,1,3,sum(j,1,i,j))}; F(f(0))", "10"),
+        (
+            "#declare f=function(x){prod(i,1,4,i)}; F(f(0)) #declare g=function(x){sum(i,3,1,i)}; F(g(0))",
+            "24 0",
+        ),
+        ("#declare f=function(x){select(x,10,20)}; F(f(-1)) F(f(0)) F(f(1))", "10 20 20"),
+        ("#declare f=function(x){8/x/2*3}; F(f(2)) #declare g=function(x){-pow(x,2)}; F(g(3))", "6 -9"),
+        ("#declare g=function(x){x}; #declare f=function(x){g(12)/2*3}; F(f(0))", "2"),
+        ("#declare g=function(x){x}; #declare f=function(x){g(x)/2*3}; F(f(12))", "18"),
+        (
+            "#declare f=function(x,y){atan2(x,y)}; F(f(0,0)) #declare g=function(x,y){pow(x,y)}; F(g(0,0))",
+            "0 1",
+        ),
+        ("#declare f=function{transform{translate <1,2,3> scale 2}}; V(f(1,1,1))", "4,6,8"),
+        (
+            "#declare f=function(x){x*image_width}; F(f(2)) #declare C=5; #declare g=function(x){C*x}; #declare C=6; F(g(2))",
+            "1600 10",
+        ),
+        (
+            "#declare f=function{pigment{gradient x color_map{[0 rgb <1,2,3>][1 rgbft <3,4,5,6,7>]}}} V5(f(.5,0,0))",
+            "2,3,4,3,3.5",
+        ),
+        ("#declare f=function{internal(76)}; F(f(1.3,2.7,3.1))", "0.425048141254"),
+        ("#declare f=function(x){x}; F(f(1,2))", "E"),
+        ("#declare f=function(x,y){x}; F(f(1))", "E"),
+        ("#declare f=function(x,y){x}; F(f(1,2,))", "E"),
+    ]);
+}
+
+#[test]
+fn compiled_things_answer_as_pov_ray_does() {
+    probe(&[
+        ("V(vturbulence(2,0.5,6,<0.1,0.2,0.3>))", "-0.049192392,-0.207178327,-0.554875161"),
+        ("#declare B=sphere{0,1 scale 2} F(inside(B,x)) F(inside(B,x*3))", "1 0"),
+        ("#declare B=sphere{0,1 scale 2} #declare N=<0,0,0>; V(trace(B,-10*z,z,N)) V(N)", "0,0,-2 0,0,-1"),
+        ("#declare B=sphere{0,1 scale 2} #declare N=<1,1,1>; V(trace(B,-10*z,x,N)) V(N)", "0,0,0 0,0,0"),
+        ("#declare B=sphere{0,1 scale <1,2,3>} V(min_extent(B)) V(max_extent(B))", "-1,-2,-3 1,2,3"),
+        ("#declare B=sphere{0,1} V(trace(B,-10*z,z,N))", "E"),
+        ("V(trace(sphere{0,1},-10*z,z))", "E"),
+    ]);
+}
