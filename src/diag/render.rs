@@ -3,7 +3,10 @@
 
 use super::{Diagnostic, Severity};
 use crate::source::{Source, Sources, Span};
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode};
+use miette::{
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents, SourceCode,
+    SourceSpan, SpanContents,
+};
 use std::fmt::{self, Display, Write as _};
 use std::sync::Arc;
 
@@ -86,6 +89,44 @@ fn report(diagnostic: &Diagnostic, sources: &Sources, handler: GraphicalReportHa
     text
 }
 
+/// A file as miette shows it: of lines that are far too long only what is near the place.
+#[derive(Debug)]
+struct Excerpt {
+    name: String,
+    text: Arc<str>,
+}
+
+/// The longest line that is shown whole.
+const LONGEST_LINE: usize = 240;
+/// What is shown to both sides of a place in a longer one.
+const NEAR: usize = 60;
+
+impl SourceCode for Excerpt {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        lines_before: usize,
+        lines_after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let whole = self.text.read_span(span, lines_before, lines_after)?;
+        let longest = whole.data().split(|&b| b == b'\n').map(<[u8]>::len).max();
+        let (data, place, line, column) = if longest.unwrap_or(0) <= LONGEST_LINE {
+            (whole.data(), *whole.span(), whole.line(), whole.column())
+        } else {
+            let (start, end) = (span.offset(), span.offset() + span.len());
+            let line_start = self.text[..start].rfind('\n').map_or(0, |at| at + 1);
+            let line_end = self.text[end..].find('\n').map_or(self.text.len(), |at| end + at);
+            let from = self.text.floor_char_boundary(start.saturating_sub(NEAR)).max(line_start);
+            let to = self.text.ceil_char_boundary(end + NEAR).min(line_end);
+            let line = self.text[..from].matches('\n').count();
+            (self.text[from..to].as_bytes(), (from, to - from).into(), line, from - line_start)
+        };
+        let name = self.name.clone();
+        let count = data.split(|&b| b == b'\n').count();
+        Ok(Box::new(MietteSpanContents::new_named(name, data, place, line, column, count)))
+    }
+}
+
 /// What miette needs to know of a diagnostic.
 #[derive(Debug)]
 struct Report {
@@ -93,7 +134,7 @@ struct Report {
     severity: Option<Severity>,
     message: String,
     help: Option<String>,
-    code: Option<NamedSource<Arc<str>>>,
+    code: Option<Excerpt>,
     labels: Vec<LabeledSpan>,
     related: Vec<Report>,
 }
@@ -101,7 +142,7 @@ struct Report {
 impl Report {
     fn new(diagnostic: &Diagnostic, sources: &Sources) -> Report {
         let main = diagnostic.span.map(|span| span.file);
-        let code = |source: &Source| NamedSource::new(&source.name, Arc::clone(&source.text));
+        let code = |source: &Source| Excerpt { name: source.name.clone(), text: Arc::clone(&source.text) };
         let mut labels: Vec<LabeledSpan> = Vec::new();
         if let Some(span) = diagnostic.span {
             let text = if diagnostic.label.is_empty() { "here" } else { &diagnostic.label };

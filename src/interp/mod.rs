@@ -131,7 +131,10 @@ pub struct Vm<'a> {
     /// Levels of nesting of what is being read.
     nesting: u32,
     turns: u64,
+    /// A `#version` was met, or given from outside.
     version_written: bool,
+    /// The first one came after something else.
+    version_late: bool,
     /// Nothing more is read.
     stopped: bool,
     failed: bool,
@@ -190,7 +193,8 @@ impl<'a> Vm<'a> {
             stack: Vec::new(),
             nesting: 0,
             turns: 0,
-            version_written: false,
+            version_written: options.version.is_some(),
+            version_late: false,
             stopped: false,
             failed: false,
             faults: 0,
@@ -306,6 +310,16 @@ impl<'a> Vm<'a> {
             let word = self.sources.text(open.span).to_owned();
             let fault = self.error(open.span, format!("`{word}` without `#end`"));
             self.settle(fault.help("add `#end` where its last arm ends"));
+        }
+        let help = "start it with `#version 3.7;`, or what it was written for";
+        if !self.version_written {
+            self.remark(
+                Severity::Warning,
+                "the scene does not say which version of the language it is in",
+                help,
+            );
+        } else if self.version_late {
+            self.remark(Severity::Warning, "`#version` is not the first thing in the scene", help);
         }
     }
 

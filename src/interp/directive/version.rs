@@ -11,6 +11,7 @@ const NEWEST: i32 = 370;
 impl Vm<'_> {
     /// `#version`, just read.
     pub(in crate::interp) fn set_version(&mut self, span: Span) -> Result<()> {
+        let first = self.last.end == 0;
         if let TokenKind::Name(symbol) = self.peek_raw().kind
             && &**self.symbols.name(symbol) == "unofficial"
         {
@@ -34,7 +35,9 @@ impl Vm<'_> {
             return Err(fault.help("povista reads scenes up to version 3.7"));
         }
         self.version = version;
-        self.version_written = true;
+        if !self.version_written {
+            (self.version_written, self.version_late) = (true, !first);
+        }
         Ok(())
     }
 }
