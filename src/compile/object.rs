@@ -167,10 +167,11 @@ impl Flattener {
 }
 
 fn compile(primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> {
-    if let Shape::HeightField(field) = primitive {
-        return shape::height_field::height_field(field);
+    match primitive {
+        Shape::HeightField(field) => shape::height_field::height_field(field),
+        Shape::Isosurface(surface) => shape::isosurface::isosurface(surface),
+        _ => shape::shape(primitive).map_err(|keyword| Unsupported::new(object.span, format!("`{keyword}`"))),
     }
-    shape::shape(primitive).map_err(|keyword| Unsupported::new(object.span, format!("`{keyword}`")))
 }
 
 /// Where the description of a big primitive is, which its copies share.
@@ -181,6 +182,7 @@ fn identity(primitive: &Shape) -> Option<*const ()> {
         Shape::Text(text) => Arc::as_ptr(text).cast(),
         Shape::BicubicPatch(patch) => Arc::as_ptr(patch).cast(),
         Shape::Blob(blob) => Arc::as_ptr(blob).cast(),
+        Shape::Isosurface(surface) => Arc::as_ptr(surface).cast(),
         _ => return None,
     })
 }

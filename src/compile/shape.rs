@@ -1,6 +1,7 @@
 //! Shapes of the description to primitives.
 
 pub mod height_field;
+pub mod isosurface;
 mod outline;
 
 use std::sync::Arc;
@@ -14,6 +15,7 @@ use crate::world::shape::cone::Cone;
 use crate::world::shape::cylinder::Cylinder;
 use crate::world::shape::disc::Disc;
 use crate::world::shape::empty::Empty;
+use crate::world::shape::julia_fractal::{JuliaFractal, Map};
 use crate::world::shape::mesh::{self, Mesh};
 use crate::world::shape::plane::Plane;
 use crate::world::shape::poly::Poly;
@@ -59,8 +61,9 @@ impl From<Primitive> for Compiled {
 /// Compiles a geometry; the error is the keyword of one that povista can't render yet.
 ///
 /// What POV-Ray accepts and never hits (docs/spec/primitives.md 1.9) becomes an empty shape. Compound
-/// objects and lights are no primitives: they come back as errors too, and height fields, whose
-/// images may be broken, have a function of their own: [`height_field::height_field`].
+/// objects and lights are no primitives: they come back as errors too, and height fields and
+/// isosurfaces, whose images and functions may be broken, have functions of their own:
+/// [`height_field::height_field`], [`isosurface::isosurface`].
 pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
     use scene::Shape as S;
     Ok(match shape {
@@ -84,7 +87,7 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::Blob(blob) => Compiled::rare(Some(field(blob))),
         S::HeightField(_) => return Err("height_field"),
         S::Isosurface(_) => return Err("isosurface"),
-        S::JuliaFractal(_) => return Err("julia_fractal"),
+        S::JuliaFractal(julia) => Compiled::rare(fractal(julia)?),
         S::Lathe(lathe) => Compiled::rare(outline::lathe(lathe)),
         S::Prism(prism) => Compiled::rare(outline::prism(prism)),
         S::Sor(sor) => Compiled::rare(Sor::new(&sor.points, sor.open)),
@@ -167,6 +170,29 @@ fn field(blob: &scene::Blob) -> Blob {
         }
     }
     Blob::new(parts, blob.threshold)
+}
+
+fn fractal(julia: &scene::JuliaFractal) -> Result<Option<JuliaFractal>, &'static str> {
+    use scene::JuliaFunction as F;
+    let map = match (julia.hypercomplex, julia.function) {
+        (false, F::Sqr) => Map::Square,
+        (false, F::Cube) => Map::Cube,
+        (true, F::Sqr) => Map::HypercomplexSquare { cube: false },
+        (true, F::Cube) => Map::HypercomplexSquare { cube: true },
+        (true, F::Reciprocal) => Map::HypercomplexReciprocal,
+        _ => return Err("julia_fractal"),
+    };
+    let (normal, distance) = julia.slice;
+    let Some(normal) = normal.try_normalize().filter(|normal| normal.w != 0.0) else {
+        return Ok(None);
+    };
+    Ok(Some(JuliaFractal {
+        constant: julia.parameter,
+        map,
+        iterations: julia.max_iteration.max(1),
+        step: 1.0 / julia.precision.max(1.0),
+        slice: (-normal.truncate()).extend(distance) / normal.w,
+    }))
 }
 
 fn triangles(mesh: &Arc<scene::Mesh>) -> Compiled {

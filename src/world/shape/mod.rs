@@ -9,6 +9,8 @@ pub mod cylinder;
 pub mod disc;
 pub mod empty;
 pub mod height_field;
+pub mod isosurface;
+pub mod julia_fractal;
 pub mod lathe;
 pub mod mesh;
 pub mod plane;

@@ -19,7 +19,7 @@ pub struct Sphere {
 impl Sphere {
     /// The discriminant comes from the distance between line and centre, not from the origin's
     /// (Haines, Günther, Akenine-Möller, Ray Tracing Gems 7).
-    fn stretch(&self, ray: &Ray) -> Option<Stretch> {
+    pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let f = ray.origin - self.center;
         let a = ray.direction.length_squared();
         let b = f.dot(ray.direction);
