@@ -17,6 +17,7 @@ use crate::world::shape::disc::Disc;
 use crate::world::shape::empty::Empty;
 use crate::world::shape::julia_fractal::{JuliaFractal, Map};
 use crate::world::shape::mesh::{self, Mesh};
+use crate::world::shape::ovus::Ovus;
 use crate::world::shape::plane::Plane;
 use crate::world::shape::poly::Poly;
 use crate::world::shape::polygon::Polygon;
@@ -91,9 +92,12 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::Lathe(lathe) => Compiled::rare(outline::lathe(lathe)),
         S::Prism(prism) => Compiled::rare(outline::prism(prism)),
         S::Sor(sor) => Compiled::rare(Sor::new(&sor.points, sor.open)),
-        S::SphereSweep(_) => return Err("sphere_sweep"),
+        S::SphereSweep(sweep) => Compiled::rare(outline::sphere_sweep(sweep)),
         &S::Superellipsoid { east, north } => Compiled::rare(Superellipsoid::new(east, north)),
-        S::Ovus { .. } => return Err("ovus"),
+        &S::Ovus { bottom, top } if top >= 2.0 * bottom && top > 0.0 => {
+            Primitive::Sphere(Sphere { center: DVec3::Y * bottom, radius: top }).into()
+        }
+        &S::Ovus { bottom, top } => Compiled::rare(Ovus::new(bottom, top)),
         S::Text(_) => return Err("text"),
         S::Parametric(_) => return Err("parametric"),
         S::Csg(_) => return Err("csg"),

@@ -1,10 +1,11 @@
-//! The splines of `prism` and `lathe` (docs/spec/primitives.md 6).
+//! The splines of `prism`, `lathe` and `sphere_sweep` (docs/spec/primitives.md 6).
 
-use crate::math::DVec2;
-use crate::scene::shape::{self as scene, ContourSpline};
+use crate::math::{DVec2, DVec4};
+use crate::scene::shape::{self as scene, ContourSpline, SweepSpline};
 use crate::world::shape::curve::{Curve, Segment};
 use crate::world::shape::lathe::Lathe;
 use crate::world::shape::prism::Prism;
+use crate::world::shape::sphere_sweep::{self, SphereSweep};
 
 /// `None` where the points make no segment.
 pub(super) fn lathe(lathe: &scene::Lathe) -> Option<Lathe> {
@@ -38,6 +39,23 @@ pub(super) fn prism(prism: &scene::Prism) -> Option<Prism> {
         conic: prism.conic,
         open: prism.open,
     })
+}
+
+/// `None` where the spheres make no segment.
+pub(super) fn sphere_sweep(sweep: &scene::SphereSweep) -> Option<SphereSweep> {
+    use sphere_sweep::Segment;
+    let balls: Vec<DVec4> = sweep.spheres.iter().map(|(center, radius)| center.extend(*radius)).collect();
+    let of_four = |make: fn(DVec4, DVec4, DVec4, DVec4) -> Segment| {
+        balls.windows(4).map(|b| make(b[0], b[1], b[2], b[3])).collect()
+    };
+    let segments: Vec<Segment> = match sweep.spline {
+        SweepSpline::Linear => balls.windows(2).map(|b| Segment::linear(b[0], b[1])).collect(),
+        SweepSpline::Cubic => of_four(Segment::cubic),
+        SweepSpline::BSpline => of_four(Segment::b_spline),
+    };
+    // POV-Ray leaves room for a Catmull-Rom spline's swings.
+    let room = if sweep.spline == SweepSpline::Cubic { 2.0 } else { 1.0 };
+    SphereSweep::new(segments, &balls, room)
 }
 
 /// Whether POV-Ray takes both for the same point.
