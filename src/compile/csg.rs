@@ -65,7 +65,7 @@ impl Flattener {
         let extra = object.extra.as_deref()?;
         let place = Inherited { outer: own.outer.clone(), depth: own.depth + 1, ..Inherited::default() };
         let clips = extra.clipped_by.iter().filter_map(|clip| self.member(clip, &place)).collect();
-        // POV-Ray drops the bounds of primitives; bounds that are clips cut nothing more.
+        // The bounds of primitives are another matter; bounds that are clips cut nothing more.
         let bounds = match object.shape {
             Shape::Csg(_) if !object.flags.contains(ObjectFlags::BOUNDS_ARE_CLIPS) => {
                 extra.bounded_by.iter().filter_map(|bound| self.member(bound, &place)).collect()

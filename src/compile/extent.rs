@@ -25,7 +25,8 @@ impl Flattener {
         stored(self.extent(object))
     }
 
-    fn extent(&mut self, object: &Object) -> Bounds {
+    /// The same in double precision.
+    pub(super) fn extent(&mut self, object: &Object) -> Bounds {
         let mut bounds = match &object.shape {
             Shape::Csg(csg) => placed(self.extent_of_compound(csg), object.transform.as_deref()),
             Shape::Light(light) => light
@@ -114,7 +115,8 @@ fn placed(bounds: Bounds, transform: Option<&Transform>) -> Bounds {
     }
 }
 
-fn volume(bounds: Bounds) -> f64 {
+/// A box's volume as POV-Ray compares it.
+pub(super) fn volume(bounds: Bounds) -> f64 {
     if bounds.is_empty() { f64::INFINITY } else { bounds.intersection(EVERYWHERE).size().element_product() }
 }
 

@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use super::Unsupported;
+use super::bounds::Bounded;
 use super::object::ShapeCache;
 use crate::math::Transform;
 use crate::options::Accelerator;
@@ -151,6 +152,7 @@ pub struct Flattener {
     split_unions: bool,
     lighting: Vec<Lighting>,
     default_texture: Option<u32>,
+    pub(super) bounded: Vec<Bounded>,
     pub(super) shapes: ShapeCache,
 }
 
@@ -163,6 +165,7 @@ impl Flattener {
             split_unions,
             lighting: vec![Lighting { parent: 0, lights: Vec::new(), global_lights: true }],
             default_texture: None,
+            bounded: Vec::new(),
             shapes: ShapeCache::default(),
         }
     }
@@ -188,6 +191,7 @@ impl Flattener {
 
     /// Everything so far.
     pub fn finish(mut self) -> Flat {
+        self.cut_by_bounds();
         self.flat.light_sets = (0..self.lighting.len()).map(|group| self.lights_of(group)).collect();
         self.flat
     }
@@ -217,6 +221,7 @@ impl Flattener {
         let interior = own.interior.unwrap_or_else(|| self.interior(None, &own));
         own.interior = Some(interior);
         if let Some(member) = self.placed(object, &own) {
+            self.note_bounds(object, &own, member);
             self.flat.parts.objects.push(Whole { member, interior, opaque: false, apart: false });
         }
     }

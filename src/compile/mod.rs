@@ -1,6 +1,7 @@
 //! From the description of a scene to the compiled world.
 
 pub mod atmosphere;
+mod bounds;
 pub mod camera;
 mod csg;
 mod extent;

@@ -53,8 +53,7 @@ impl Flattener {
             own.interior_texture = Some(self.texture(texture, outer, object.span));
         }
         let says_more = object.texture.as_ref().is_some_and(|texture| legacy(texture).is_some());
-        let hollows = own.interior.is_some_and(|i| self.flat.interiors[i as usize].hollow != own.hollow);
-        if object.interior().is_some() || says_more || hollows {
+        if object.interior().is_some() || says_more {
             let inherited = own.interior.and_then(|i| self.flat.interiors[i as usize].interior.clone());
             own.interior = Some(self.interior(object.interior().or(inherited.as_ref()), &own));
         }
@@ -131,6 +130,10 @@ impl Flattener {
             (_, Some(transform)) => compiled.primitive.bounds().transformed(transform),
             (_, None) => compiled.primitive.bounds(),
         });
+        if let Some(interior) = own.interior {
+            // Of members that share an interior the last one says whether it is hollow.
+            self.flat.interiors[interior as usize].hollow = own.hollow;
+        }
         let limits = self.limits(object, own);
         let extent = self.clipped(Extent { bounds, beyond: inverted }, limits.as_deref());
         self.flat.spans.push(object.span);

@@ -170,6 +170,30 @@ fn the_shape_a_light_looks_like_is_seen_but_casts_no_shadow() {
 }
 
 #[test]
+fn bounds_that_are_too_small_cut() {
+    let bounded = |mut object: Arc<Object>, by: Arc<Object>| {
+        let bounded_by = vec![by];
+        Arc::make_mut(&mut object).extra =
+            Some(Box::new(ObjectExtra { bounded_by, ..ObjectExtra::default() }));
+        object
+    };
+    let ball = bounded(sphere(DVec3::ZERO, 2.), unit_box());
+    let compound =
+        bounded(intersection([sphere(DVec3::ZERO, 2.), sphere(DVec3::ZERO, 2.)]), sphere(DVec3::ZERO, 1.));
+    let aside = cube(v(50., 0., 0.), v(51., 1., 1.));
+    let meets = |objects: &[Arc<Object>], x: f64| {
+        hit(&geometry(objects), v(x, 0., -5.), DVec3::Z, RayKind::IMAGE).is_some()
+    };
+    // A sphere's box is asked only in scenes of three objects and more.
+    assert!(meets(&[ball.clone(), aside.clone()], 1.5));
+    let three = [ball.clone(), aside.clone(), aside];
+    assert!(meets(&three, 0.9) && !meets(&three, 1.5));
+    assert!(meets(&[compound.clone()], 0.9) && !meets(&[compound], 1.5));
+    let roomy = bounded(sphere(DVec3::ZERO, 2.), cube(-3. * DVec3::ONE, 3. * DVec3::ONE));
+    assert!(geometry(&[roomy]).parts().leaves[0].limits.is_none());
+}
+
+#[test]
 fn points_know_what_they_are_inside_of() {
     let geometry = geometry(&[
         sphere(DVec3::ZERO, 2.),
