@@ -122,7 +122,7 @@ pub(in crate::interp) fn normals(vm: &mut Vm<'_>, average: bool) -> Result<Arc<B
     };
     read(vm, named, |vm, entries| {
         let at = position(vm, average)?;
-        entries.push((at, normal::body(vm, default.as_ref())?.unwrap_or_else(normal::flat)));
+        entries.push((at, normal::body(vm, default.as_ref())?));
         Ok(())
     })
 }

@@ -58,7 +58,7 @@ pub fn read_rvalue(vm: &mut Vm, word: Word) -> Result<Option<Value>> {
         }
         Word::Normal => {
             let base = vm.state.normal();
-            Value::Normal(normal::block(vm, base.as_ref())?.unwrap_or_else(normal::flat))
+            Value::Normal(normal::value(vm, base.as_ref())?)
         }
         Word::Finish => {
             let base = vm.state.finish();
@@ -160,7 +160,7 @@ pub fn read_default(vm: &mut Vm, span: Span) -> Result<()> {
             }
             Some(Word::Normal) => {
                 let base = vm.state.normal();
-                let normal = normal::block(vm, base.as_ref())?;
+                let normal = normal::default(vm, base.as_ref())?;
                 vm.state.layer().normal = normal;
             }
             Some(Word::Finish) => {

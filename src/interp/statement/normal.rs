@@ -11,16 +11,60 @@ use crate::scene::texture::NormalKind;
 use crate::scene::{Field, Normal, Pattern};
 use crate::source::Span;
 
-/// Reads `normal { … }`, whose keyword comes next, as a changed copy of `base`. `None` is a flat surface.
-pub(in crate::interp) fn block(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option<Arc<Normal>>> {
+/// What a normal begins with, apart from its pattern.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bumps {
+    amount: f32,
+    accuracy: f32,
+    no_bump_scale: bool,
+}
+
+impl Default for Bumps {
+    fn default() -> Self {
+        Self { amount: 0.5, accuracy: 0.02, no_bump_scale: false }
+    }
+}
+
+/// Reads `normal { … }`, whose keyword comes next, as a changed copy of `base`.
+pub(super) fn block(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Arc<Normal>> {
     let block = vm.enter()?;
     let normal = body(vm, base)?;
     vm.close(block)?;
     Ok(normal)
 }
 
+/// The same for `#declare`: a normal without a pattern is flat.
+pub(super) fn value(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Arc<Normal>> {
+    let block = vm.enter()?;
+    let mut bumps = vm.state.bumps;
+    let normal = read(vm, base, &mut bumps)?;
+    vm.close(block)?;
+    Ok(normal.unwrap_or_else(flat))
+}
+
+/// The same for `#default`: `None` where there is no pattern; the rest waits for one.
+pub(super) fn default(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option<Arc<Normal>>> {
+    let block = vm.enter()?;
+    let mut bumps = vm.state.bumps;
+    let normal = read(vm, base, &mut bumps)?;
+    vm.state.bumps = bumps;
+    vm.close(block)?;
+    Ok(normal)
+}
+
 /// Reads the inside of a normal, as it also stands in a map.
-pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option<Arc<Normal>>> {
+pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Arc<Normal>> {
+    let mut bumps = vm.state.bumps;
+    match read(vm, base, &mut bumps)? {
+        Some(normal) => Ok(normal),
+        None => {
+            let fault = vm.expected("a pattern");
+            Err(fault.help("a normal begins with its pattern, such as `bumps 0.5`"))
+        }
+    }
+}
+
+fn read(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>, bumps: &mut Bumps) -> Result<Option<Arc<Normal>>> {
     let named = vm.accept_value(|value| match value {
         Value::Normal(normal) => Some(Arc::clone(normal)),
         _ => None,
@@ -29,7 +73,7 @@ pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option
     match vm.peek_word()? {
         Some(Word::UvMapping) => {
             vm.next()?;
-            let Some(inner) = body(vm, base)? else { return Ok(None) };
+            let inner = body(vm, base)?;
             let Normal { amount, accuracy, no_bump_scale, .. } = *inner;
             return Ok(Some(Arc::new(Normal {
                 kind: NormalKind::UvMapped(inner),
@@ -45,7 +89,7 @@ pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option
             vm.close(inner)?;
             let field = Field::new(inner.span, Pattern::Image(Arc::clone(&map)));
             let field = Arc::new(replaced(normal.as_deref(), field));
-            normal = Some(changed(vm, normal.as_deref(), NormalKind::Bumps { field, map }, amount)?);
+            normal = Some(changed(vm, normal.as_deref(), NormalKind::Bumps { field, map }, amount));
         }
         Some(_) => {
             if let Some(field) = pattern::read(vm, Owner::Normal)? {
@@ -61,14 +105,9 @@ pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Option
             }
         }
     }
-    modifiers(vm, &mut normal)?;
-    match &normal {
-        Some(normal) => check(vm, normal)?,
-        None => {
-            return Err(vm
-                .expected("a pattern")
-                .help("a normal begins with its pattern, such as `bumps 0.5`"));
-        }
+    modifiers(vm, &mut normal, bumps)?;
+    if let Some(normal) = &normal {
+        check(vm, normal)?;
     }
     Ok(normal)
 }
@@ -86,12 +125,11 @@ fn with_pattern(vm: &mut Vm<'_>, base: Option<&Normal>, field: Field) -> Result<
         && vm.peek_word()? == Some(Word::Normal)
     {
         let default = vm.state.normal();
-        let mut entries = pattern::list(vm, &field.pattern, count, Word::Normal, |vm| {
-            Ok(block(vm, default.as_ref())?.unwrap_or_else(flat))
-        })?;
+        let mut entries =
+            pattern::list(vm, &field.pattern, count, Word::Normal, |vm| block(vm, default.as_ref()))?;
         entries.resize_with(count, || default.clone().unwrap_or_else(flat));
         let kind = NormalKind::Normals { field: Arc::new(field), map: Arc::new(BlendMap::list(entries)) };
-        return changed(vm, base, kind, None);
+        return Ok(changed(vm, base, kind, None));
     }
     let kind = match base.map(|base| &base.kind) {
         Some(NormalKind::Pattern { slopes, .. }) => {
@@ -104,23 +142,16 @@ fn with_pattern(vm: &mut Vm<'_>, base: Option<&Normal>, field: Field) -> Result<
     };
     vm.comma()?;
     let amount = if vm.at_number()? { Some(vm.read_float()? as f32) } else { None };
-    changed(vm, base, kind, amount)
+    Ok(changed(vm, base, kind, amount))
 }
 
 /// A copy with another pattern.
-fn changed(
-    _vm: &Vm<'_>,
-    base: Option<&Normal>,
-    kind: NormalKind,
-    amount: Option<f32>,
-) -> Result<Arc<Normal>> {
-    let mut normal = Normal { kind, amount: 0.5, accuracy: 0.02, no_bump_scale: false };
-    if let Some(base) = base {
-        (normal.amount, normal.accuracy) = (base.amount, base.accuracy);
-        normal.no_bump_scale = base.no_bump_scale;
-    }
-    normal.amount = amount.unwrap_or(normal.amount);
-    Ok(Arc::new(normal))
+fn changed(vm: &Vm<'_>, base: Option<&Normal>, kind: NormalKind, amount: Option<f32>) -> Arc<Normal> {
+    let Bumps { amount: default, accuracy, no_bump_scale } = match base {
+        Some(&Normal { amount, accuracy, no_bump_scale, .. }) => Bumps { amount, accuracy, no_bump_scale },
+        None => vm.state.bumps,
+    };
+    Arc::new(Normal { kind, amount: amount.unwrap_or(default), accuracy, no_bump_scale })
 }
 
 /// A normal that bends nothing, where a map has an entry without a pattern.
@@ -130,7 +161,7 @@ pub(super) fn flat() -> Arc<Normal> {
     Arc::new(Normal { kind, amount: 0.0, accuracy: 0.02, no_bump_scale: false })
 }
 
-fn modifiers(vm: &mut Vm<'_>, normal: &mut Option<Arc<Normal>>) -> Result<()> {
+fn modifiers(vm: &mut Vm<'_>, normal: &mut Option<Arc<Normal>>, bumps: &mut Bumps) -> Result<()> {
     while let Some(word) = vm.peek_word()? {
         match word {
             Word::SlopeMap => {
@@ -149,14 +180,17 @@ fn modifiers(vm: &mut Vm<'_>, normal: &mut Option<Arc<Normal>>) -> Result<()> {
             }
             Word::BumpSize | Word::Accuracy => {
                 let value = vm.after_word(Vm::read_float)? as f32;
-                if let Some(normal) = normal.as_mut().map(Arc::make_mut) {
-                    *(if word == Word::BumpSize { &mut normal.amount } else { &mut normal.accuracy }) = value;
-                }
+                let (amount, accuracy) = match normal.as_mut().map(Arc::make_mut) {
+                    Some(normal) => (&mut normal.amount, &mut normal.accuracy),
+                    None => (&mut bumps.amount, &mut bumps.accuracy),
+                };
+                *(if word == Word::BumpSize { amount } else { accuracy }) = value;
             }
             Word::NoBumpScale => {
                 vm.next()?;
-                if let Some(normal) = normal {
-                    Arc::make_mut(normal).no_bump_scale = true;
+                match normal {
+                    Some(normal) => Arc::make_mut(normal).no_bump_scale = true,
+                    None => bumps.no_bump_scale = true,
                 }
             }
             _ if pattern::is_modifier(word) => {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::camera::Draft;
+use super::normal::Bumps;
 use crate::diag::Severity;
 use crate::interp::Vm;
 use crate::math::Rgbft;
@@ -21,6 +22,8 @@ pub struct State {
     pub(super) unset: Arc<Pigment>,
     /// The default texture: always a single layer.
     pub(super) texture: Texture,
+    /// What a normal starts from where the default texture has none.
+    pub(super) bumps: Bumps,
     /// What a camera starts from.
     pub(super) camera: Draft,
     /// `#default { radiosity { importance } }`.
@@ -50,6 +53,7 @@ impl Default for State {
         Self {
             unset,
             texture: Texture::new(TextureBody::Layered(vec![layer])),
+            bumps: Bumps::default(),
             camera: Draft::default(),
             importance: None,
             settings: Settings::default(),

@@ -72,7 +72,7 @@ fn plain(vm: &mut Vm<'_>, mut texture: Texture) -> Result<Texture> {
             }
             Some(Word::Normal) => {
                 let top = layers::top(vm, &mut texture)?;
-                top.normal = normal::block(vm, top.normal.as_ref())?;
+                top.normal = Some(normal::block(vm, top.normal.as_ref())?);
             }
             Some(Word::Finish) => {
                 let top = layers::top(vm, &mut texture)?;

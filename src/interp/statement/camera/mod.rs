@@ -201,7 +201,7 @@ fn item(vm: &mut Vm<'_>, draft: &mut Draft, word: Word, old: bool) -> Result<boo
             }
             vm.close(block)?;
         }
-        Word::Normal => draft.normal = normal::block(vm, draft.normal.as_ref())?,
+        Word::Normal => draft.normal = Some(normal::block(vm, draft.normal.as_ref())?),
         _ => return Ok(false),
     }
     Ok(true)

@@ -95,7 +95,7 @@ pub(in crate::interp::statement) fn part(vm: &mut Vm<'_>, texture: &mut Option<T
 fn read_part(vm: &mut Vm<'_>, layer: &mut Layer) -> Result<()> {
     match vm.peek_word()? {
         Some(Word::Pigment) => layer.pigment = pigment::block(vm, &layer.pigment)?,
-        Some(Word::Normal) => layer.normal = normal::block(vm, layer.normal.as_ref())?,
+        Some(Word::Normal) => layer.normal = Some(normal::block(vm, layer.normal.as_ref())?),
         _ => layer.finish = finish::block(vm, &layer.finish)?,
     }
     Ok(())
