@@ -182,8 +182,9 @@ fn convert(decoded: Decoded, source: &ImageSource, purpose: Use, settings: &Sett
         }
         Raw::Palette { indices, colors } => {
             let colors = colors.into_iter().map(|color| {
-                let [r, g, b, alpha] = color.map(|v| f32::from(v) / 255.0);
-                Rgbft { rgb: Rgb::new(light(r), light(g), light(b)), filter: 0.0, transmit: 1.0 - alpha }
+                let [r, g, b, _] = color.map(|v| light(f32::from(v) / 255.0));
+                let transmit = (1.0 - f64::from(color[3]) / 255.0) as f32;
+                Rgbft { rgb: Rgb::new(r, g, b), filter: 0.0, transmit }
             });
             Pixels::Palette { indices: indices.into(), colors: colors.collect() }
         }
