@@ -6,7 +6,7 @@ use crate::math::{DVec2, DVec3};
 use crate::world::hit::Hit;
 use crate::world::object::LeafFlags;
 use crate::world::sample::Sample;
-use crate::world::shape::Shape;
+use crate::world::shape::{OWN_TEXTURE, Shape};
 use crate::world::texture::Layer;
 use crate::world::{Intersection, Leaf, Member, Ray, World};
 
@@ -37,14 +37,17 @@ pub(super) fn resolve(
 /// The textures of a leaf at a hit.
 fn shares(world: &World, leaf: &Leaf, hit: &Hit, surface: &Intersection) -> Shares {
     let mut shares = Shares::new();
-    leaf.primitive.textures(surface.point, &hit.crossing, &mut |number, share| {
-        shares.push((leaf.own_textures.start + number, share as f32));
+    let inner = leaf.interior_texture.filter(|_| surface.inside);
+    let whole = inner.or(leaf.texture);
+    leaf.primitive.textures(leaf.inner_point(surface.point), &hit.crossing, &mut |number, share| {
+        let own = || leaf.own_textures.clone().nth(number as usize);
+        let texture = if number == OWN_TEXTURE { whole } else { own() };
+        shares.extend(texture.map(|texture| (texture, share as f32)));
     });
     if !shares.is_empty() {
         return shares;
     }
-    let inner = leaf.interior_texture.filter(|_| surface.inside);
-    match inner.or(leaf.texture) {
+    match whole {
         Some(number) => shares.push((number, 1.0)),
         None => cutaway(world, leaf, hit, surface.point, &mut shares),
     }

@@ -82,7 +82,7 @@ impl Leaf {
     }
 
     /// The point in the primitive's space.
-    pub(super) fn inner_point(&self, point: DVec3) -> DVec3 {
+    pub fn inner_point(&self, point: DVec3) -> DVec3 {
         self.transform.as_ref().map_or(point, |transform| transform.inverse_point(point))
     }
 
