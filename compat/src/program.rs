@@ -155,7 +155,7 @@ fn outcome(finished: &Finished, picture: Option<Vec<u8>>) -> Outcome {
 
 /// The one line of a program's output that says why it gave up.
 fn error_line(text: &str) -> String {
-    let plain = without_escapes(text);
+    let plain = without_escapes(&unwrapped(text));
     let lines: Vec<&str> = plain.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
     // povray calls some of its warnings possible errors.
     let says = |what: &str| {
@@ -167,6 +167,18 @@ fn error_line(text: &str) -> String {
     let line = says("not supported yet").or_else(|| says("error:")).or_else(framed).or_else(|| says("error"));
     let line = line.or(lines.last()).map_or("no message", |line| line);
     line.trim_start_matches(FRAMED).trim_start().to_owned()
+}
+
+/// `text` with the messages about a file, which POV-Ray's console breaks at 80 columns, on one line each.
+fn unwrapped(text: &str) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for line in text.lines() {
+        match lines.last_mut() {
+            Some(message) if message.starts_with("File '") && line.starts_with(' ') => message.push_str(line),
+            _ => lines.push(line.to_owned()),
+        }
+    }
+    lines.join("\n")
 }
 
 /// `text` without terminal colours.
@@ -204,6 +216,9 @@ mod tests {
     fn an_error_without_the_word_is_its_last_line() {
         assert_eq!(error_line("reading\ncannot open it\n\n"), "cannot open it");
         assert_eq!(error_line(""), "no message");
+        let wrapped =
+            "File 'a.pov' line 1: Parse Error: not supported yet:\n `media`\nFatal error in parser\n";
+        assert_eq!(error_line(wrapped), "File 'a.pov' line 1: Parse Error: not supported yet: `media`");
         let framed = "  × expected `}`\n    ╭─[a.pov:1:1]\n  × another\na.pov: 2 errors, 0 warnings\n";
         assert_eq!(error_line(framed), "expected `}`");
         let warned =
