@@ -17,7 +17,7 @@ use crate::verdict::Verdict;
 const HEAD: &str = "\
 # Scenes that are known not to match POV-Ray's picture, each with the reason: `SCENE: REASON`.
 # A listed scene that matches fails the suite, as does one that doesn't match and isn't listed.
-# `povista-compat all --update` adds and removes lines and leaves the reasons of others alone.
+# `povista-compat all --update` adds, renews and removes lines; reasons somebody wrote stay.
 ";
 
 /// Scenes known not to match, and why.
@@ -81,17 +81,15 @@ impl Expectations {
             .collect()
     }
 
-    /// The list made true to `cases`: matches leave, new failures enter with what was found. Scenes
-    /// that were not rendered, and reasons of those that still fail, stay.
+    /// The list made true to `cases`: matches leave, failures enter with what was found. Scenes that
+    /// were not rendered stay, as do reasons that somebody wrote.
     pub fn updated(&self, cases: &[Case]) -> Self {
         let mut reasons = self.reasons.clone();
         for case in cases {
-            if case.verdict == Verdict::Match {
-                reasons.remove(&case.scene);
-            } else {
-                reasons
-                    .entry(case.scene.clone())
-                    .or_insert_with(|| format!("{}, {}", case.verdict, finding(case)));
+            let written = reasons.remove(&case.scene).filter(|reason| !is_finding(reason));
+            if case.verdict != Verdict::Match {
+                let reason = written.unwrap_or_else(|| format!("{}, {}", case.verdict, finding(case)));
+                reasons.insert(case.scene.clone(), reason);
             }
         }
         Expectations { reasons }
@@ -106,6 +104,11 @@ impl Expectations {
         }
         fs::write(list, text)
     }
+}
+
+/// Whether a reason was put together by [`Expectations::updated`].
+fn is_finding(reason: &str) -> bool {
+    reason.split_once(", ").is_some_and(|(verdict, _)| Verdict::ALL.iter().any(|v| v.to_string() == verdict))
 }
 
 /// What was found about a case, on one line.
@@ -176,7 +179,12 @@ pub(crate) mod tests {
             text.strip_prefix(HEAD).unwrap(),
             "broken.pov: refused, not supported yet: photons\ndead.pov: deep recursion\nknown.pov: media: next\n"
         );
-        assert_eq!(Expectations::read(&list).unwrap().reason("known.pov"), Some("media: next"));
+        let again = Expectations::read(&list).unwrap();
+        let found =
+            [case("broken.pov", Verdict::Crashed, "signal 6"), case("known.pov", Verdict::Timeout, "")];
+        let again = again.updated(&found);
+        assert_eq!(again.reason("broken.pov"), Some("crashed, signal 6"));
+        assert_eq!(again.reason("known.pov"), Some("media: next"));
     }
 
     #[test]
