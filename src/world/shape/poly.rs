@@ -114,7 +114,7 @@ impl Poly {
         };
         match self.degree {
             ..=4 => each(self.roots::<5>(&ray).as_slice()),
-            ..=8 => each(self.roots::<9>(&ray).as_slice()),
+            5..=8 => each(self.roots::<9>(&ray).as_slice()),
             _ => each(self.roots::<{ MAX_DEGREE + 1 }>(&ray).as_slice()),
         }
     }
