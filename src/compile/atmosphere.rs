@@ -79,6 +79,7 @@ fn rainbow(bow: &scene::Rainbow, textures: &mut TextureCompiler) -> Result<Optio
         up: direction.cross(right).normalize_or_zero(),
         start: (bow.angle - bow.width / 2.0).to_radians(),
         width: bow.width.to_radians(),
+        jitter: bow.jitter,
         distance: bow.distance,
         arc: half_arc(bow.arc_angle),
         falloff: half_arc(bow.falloff_angle),

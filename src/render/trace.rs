@@ -124,11 +124,11 @@ impl<'w> Tracer<'w> {
     }
 
     /// Fog and rainbows over a stretch of a ray.
-    fn veil(&self, path: &Path, distance: f64) -> Veil {
+    fn veil(&mut self, path: &Path, distance: f64) -> Veil {
         let atmosphere = &self.world.atmosphere;
         let applies =
             self.quality.atmosphere && !atmosphere.is_clear() && path.inside.is_hollow(&self.world.interiors);
-        if applies { atmosphere.veil(&path.ray, distance) } else { Veil::NONE }
+        if applies { atmosphere.veil(&path.ray, distance, &mut || self.random.next()) } else { Veil::NONE }
     }
 
     fn sky(&mut self, path: &Path) -> Seen {

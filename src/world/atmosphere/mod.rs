@@ -90,8 +90,9 @@ impl Atmosphere {
     }
 
     /// What rainbows and fog do to light that comes `distance` along the ray.
-    pub fn veil(&self, ray: &Ray, distance: f64) -> Veil {
-        let bow = rainbow::veil(&self.rainbows, ray, distance);
+    /// `random` gives numbers uniform in 0 … 1.
+    pub fn veil(&self, ray: &Ray, distance: f64, random: &mut dyn FnMut() -> f64) -> Veil {
+        let bow = rainbow::veil(&self.rainbows, ray, distance, random);
         let fog = fog::veil(&self.fogs, ray, distance);
         // Fog lies before the rainbow.
         Veil {

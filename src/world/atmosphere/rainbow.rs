@@ -21,6 +21,8 @@ pub struct Rainbow {
     pub start: f64,
     /// From the inner edge to the outer.
     pub width: f64,
+    /// How far a ray's place on the bow is moved at random, in widths.
+    pub jitter: f64,
     /// Distance at which it has 1 - 1/e of its strength.
     pub distance: f64,
     /// Half the arc, measured around the direction.
@@ -38,9 +40,11 @@ struct Bow {
 }
 
 /// What all rainbows do to light from `distance` along the ray: the mean of those that are there.
-pub(super) fn veil(rainbows: &[Rainbow], ray: &Ray, distance: f64) -> Veil {
+///
+/// `random` gives numbers uniform in 0 … 1; only bows with jitter ask for one.
+pub(super) fn veil(rainbows: &[Rainbow], ray: &Ray, distance: f64, random: &mut dyn FnMut() -> f64) -> Veil {
     let (mut added, mut factor, mut transmit, mut count) = (Rgb::ZERO, Rgb::ZERO, 1.0, 0.0);
-    for Bow { strength, color } in rainbows.iter().filter_map(|bow| bow.seen(ray, distance)) {
+    for Bow { strength, color } in rainbows.iter().filter_map(|bow| bow.seen(ray, distance, random)) {
         let filter = color.filter * (1.0 - strength);
         added += color.rgb * (1.0 - strength);
         factor += (Rgb::splat(1.0 - filter) + color.rgb * filter) * strength;
@@ -54,7 +58,7 @@ pub(super) fn veil(rainbows: &[Rainbow], ray: &Ray, distance: f64) -> Veil {
 }
 
 impl Rainbow {
-    fn seen(&self, ray: &Ray, distance: f64) -> Option<Bow> {
+    fn seen(&self, ray: &Ray, distance: f64, random: &mut dyn FnMut() -> f64) -> Option<Bow> {
         let (x, y) = (ray.direction.dot(self.right), ray.direction.dot(self.up));
         let cosine = ray.direction.dot(self.direction);
         let off_axis = x.hypot(y);
@@ -62,7 +66,10 @@ impl Rainbow {
         if around > self.arc || cosine < 0.0 {
             return None;
         }
-        let index = (cosine.min(1.0).acos() - self.start) / self.width;
+        let mut index = (cosine.min(1.0).acos() - self.start) / self.width;
+        if self.jitter != 0.0 {
+            index += (2.0 * random() - 1.0) * self.jitter;
+        }
         if !(0.0..=1.0 - 1e-10).contains(&index) {
             return None;
         }

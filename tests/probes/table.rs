@@ -1,4 +1,7 @@
 //! Reads probe tables and renders their scenes.
+//!
+//! A row is `| SDL | red green blue |`; SDL may use the abbreviations of docs/spec/shading.md 1 and be
+//! followed by a note such as `— #version 3.6`.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +10,7 @@ use povista::compile;
 use povista::diag::{Collect, plain};
 use povista::interp::interpret;
 use povista::options::{LanguageOptions, RenderOptions};
-use povista::render::render;
+use povista::render::{Rendered, render};
 use povista::source::{Library, Source, Sources};
 
 /// One probe: a scene and what POV-Ray showed.
@@ -84,7 +87,7 @@ fn difference(row: &Row) -> Option<String> {
 }
 
 /// The whole scene of a row.
-fn scene(sdl: &str, version: &str) -> String {
+pub(crate) fn scene(sdl: &str, version: &str) -> String {
     let mut text = sdl.to_owned();
     let wall = "plane{-z,-5 ";
     for (short, long) in
@@ -131,17 +134,38 @@ fn expand(text: &str, name: &str, long: impl Fn(&str) -> String) -> String {
 
 /// The colour of the only pixel, or what was said against the scene.
 fn pixel(text: &str) -> Result<[f64; 3], String> {
+    let [r, g, b, _] = picture(text, &RenderOptions::new(1, 1))?.image.pixels[0];
+    Ok([r, g, b].map(f64::from))
+}
+
+/// A scene rendered, or what was said against it.
+pub(crate) fn picture(text: &str, options: &RenderOptions) -> Result<Rendered, String> {
     let mut sources = Sources::new(Library::default());
     let main = sources.add(Source::new("probe.pov", "", text.into()));
     let mut sink = Collect::default();
     let scene = interpret(main, &mut sources, &LanguageOptions::default(), &mut sink).ok_or_else(|| {
         sink.diagnostics.iter().map(|diagnostic| plain(diagnostic, &sources)).collect::<String>()
     })?;
-    let options = RenderOptions { threads: Some(1), ..RenderOptions::new(1, 1) };
-    let compiled = compile::compile(scene, &options);
+    let compiled = compile::compile(scene, options);
     if !compiled.unsupported.is_empty() {
         return Err(compiled.unsupported.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "));
     }
-    let [r, g, b, _] = render(&compiled.world, &options, &()).image.pixels[0];
-    Ok([r, g, b].map(f64::from))
+    Ok(render(&compiled.world, options, &()))
+}
+
+/// The rgb of a scene's only pixel, with the options' alpha.
+pub(crate) fn assert_pixel(
+    sdl: &str,
+    version: &str,
+    options: &RenderOptions,
+    observed: &[f32],
+    tolerance: f32,
+) {
+    let rendered = picture(&scene(sdl, version), options).unwrap_or_else(|report| panic!("{sdl}\n{report}"));
+    let ours = rendered.image.pixels[0];
+    let close = observed
+        .iter()
+        .zip(ours)
+        .all(|(observed, ours)| (observed - ours.clamp(0.0, 1.0)).abs() <= tolerance);
+    assert!(close, "{sdl} (version {version}): rendered {ours:?}, observed {observed:?}");
 }

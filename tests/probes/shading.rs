@@ -1,11 +1,6 @@
-//! The probe tables of the specification: scenes of one pixel and the linear colour POV-Ray gave them.
-//!
-//! A row is `| SDL | red green blue |`; SDL may use the abbreviations of docs/spec/shading.md 1 and
-//! docs/spec/atmosphere-gi.md 0, and may be followed by a note such as `— #version 3.6`.
+//! The tables of docs/spec/shading.md, straight from the file.
 
-mod probe;
-
-use probe::{Row, assert_rows, rows};
+use crate::table::{Row, assert_rows, rows};
 
 /// Rows that show an artefact POV-Ray's users never asked for, with what povista gives instead.
 const BETTER: [(&str, &str); 6] = [

@@ -1,0 +1,91 @@
+//! What a scene doesn't need isn't computed, and threads never change a picture.
+
+use povista::options::{Antialias, RenderOptions};
+use povista::render::Statistics;
+
+use crate::table::{picture, scene};
+
+fn statistics(sdl: &str) -> Statistics {
+    picture(&scene(sdl, "3.7"), &RenderOptions::new(16, 12)).unwrap().statistics
+}
+
+#[test]
+fn no_shadow_ray_starts_where_the_surface_faces_away() {
+    let counts = statistics("light_source{9*z rgb 1} FLOOR");
+    assert_eq!((counts.shadow_rays, counts.lights_behind), (0, 192));
+}
+
+#[test]
+fn shadowless_lights_and_surfaces_without_diffuse_need_no_shadow_rays() {
+    assert_eq!(statistics("light_source{0 rgb 1 shadowless} FLOOR").shadow_rays, 0);
+    let glowing = "light_source{0 rgb 1} WALL(pigment{rgb 1} finish{ambient 1 diffuse 0})";
+    assert_eq!(statistics(glowing).shadow_rays, 0);
+}
+
+#[test]
+fn lights_out_of_reach_cost_nothing() {
+    let spot = "light_source{<0,0,0> rgb 1 spotlight point_at -z radius 10 falloff 20} FLOOR";
+    assert_eq!(statistics(spot).shadow_rays, 0);
+}
+
+#[test]
+fn only_the_nearest_surface_is_textured() {
+    let hidden = "FLOOR plane{-z,-6 pigment{rgb 1}} plane{-z,-7 pigment{rgb 1}}";
+    assert_eq!(statistics(hidden).texture_evaluations, 192);
+}
+
+#[test]
+fn opaque_blockers_are_not_textured() {
+    let counts = statistics("light_source{-10*z rgb 1} FLOOR disc{-2*z,z,30 pigment{rgb 1}}");
+    assert_eq!((counts.shadow_rays, counts.shadow_textures), (192, 0));
+    let clear = statistics("light_source{-10*z rgb 1} FLOOR disc{-2*z,z,30 pigment{rgbt .5}}");
+    assert_eq!(clear.shadow_textures, 192);
+}
+
+#[test]
+fn faint_reflections_are_not_traced() {
+    let faint = "WALL(pigment{rgb 1} finish{reflection .003})";
+    let counts = statistics(faint);
+    assert_eq!((counts.reflected_rays, counts.bailed_out), (0, 192));
+    assert_eq!(statistics("WALL(pigment{rgb 1} finish{reflection 0})").bailed_out, 0);
+}
+
+#[test]
+fn a_blend_of_clear_textures_goes_on_once() {
+    let blend = "plane{z,5 texture{average texture_map{[1 pigment{rgbt 1}][1 pigment{rgbt .5}]}}} \
+        plane{z,6 pigment{rgb 1}}";
+    assert_eq!(statistics(blend).transmitted_rays, 192);
+}
+
+#[test]
+fn straight_ways_are_followed_without_end_and_without_levels() {
+    let panes: String = (0..3000).map(|i| format!("plane{{z,{} pigment{{rgbt 1}}}}\n", 5 + i)).collect();
+    let options = RenderOptions::new(1, 1);
+    let rendered = picture(&scene(&format!("background{{rgb .5}} {panes}"), "3.7"), &options).unwrap();
+    assert_eq!(rendered.image.pixels[0], [0.5, 0.5, 0.5, 1.0]);
+    assert_eq!(rendered.statistics.transmitted_rays, 3000);
+}
+
+/// Mirrors, glass, a jittered area light, grain, antialiasing: everything that asks for numbers.
+#[test]
+fn threads_do_not_change_the_picture() {
+    let busy = "global_settings{max_trace_level 8} \
+        light_source{<-5,8,-6> rgb 1 area_light 3*x,3*z,3,3 jitter adaptive 1} \
+        plane{y,-1 pigment{checker rgb 1 rgb .2} finish{crand .2 reflection .3}} \
+        sphere{<0,0,5>,1 pigment{rgbf <1,.8,.8,.9>} finish{reflection{0,1 fresnel}} interior{ior 1.5}} \
+        sphere{<1.5,0,6>,1 pigment{rgb <.3,.5,.9>} finish{phong 1 reflection .4}} \
+        sky_sphere{pigment{gradient y}}";
+    let text = scene(busy, "3.7");
+    let with = |threads| {
+        let antialias = Some(Antialias { threshold: 0.1, ..Antialias::default() });
+        let options =
+            RenderOptions { threads: Some(threads), block_size: 8, antialias, ..RenderOptions::new(60, 45) };
+        picture(&text, &options).unwrap()
+    };
+    let one = with(1);
+    for threads in [2, 8] {
+        let rendered = with(threads);
+        assert!(rendered.image == one.image, "{threads} threads make another picture");
+        assert_eq!(rendered.statistics, one.statistics, "{threads} threads");
+    }
+}
