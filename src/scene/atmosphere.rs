@@ -48,9 +48,9 @@ pub struct Rainbow {
     pub distance: f64,
     /// Random displacement.
     pub jitter: f64,
-    /// Degrees of arc.
+    /// Degrees of arc; 360 for no end.
     pub arc_angle: f64,
-    /// Degrees after which the arc begins to fade.
+    /// Degrees after which the arc begins to fade; 360 for never.
     pub falloff_angle: f64,
     /// Colours from the inner edge to the outer.
     pub colors: Option<Arc<BlendMap<Rgbft>>>,

@@ -24,8 +24,8 @@ pub(in crate::interp) fn block(vm: &mut Vm<'_>) -> Result<Rainbow> {
         width: 0.0,
         distance: 1e7,
         jitter: 0.0,
-        arc_angle: 180.0,
-        falloff_angle: 180.0,
+        arc_angle: 360.0,
+        falloff_angle: 360.0,
         colors: None,
     });
     rainbow.span = block.span;
