@@ -1,6 +1,7 @@
 //! From a compiled scene to a picture.
 
 mod direct;
+mod dispersion;
 pub mod film;
 mod finish;
 mod jitter;
@@ -100,7 +101,8 @@ impl<'w> Eye<'w> {
         tracer.random = Random::of_sample(x, y);
         let around = || Inside::of(self.world.interiors_around(ray.origin));
         let inside = self.inside.clone().unwrap_or_else(around);
-        let seen = tracer.trace(Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, inside });
+        let seen =
+            tracer.trace(Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, wavelength: None, inside });
         let [r, g, b] = seen.color.to_array();
         [r, g, b, seen.transmit]
     }

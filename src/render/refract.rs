@@ -42,6 +42,11 @@ impl Inside {
         self.0.contains(&interior)
     }
 
+    /// What was entered last.
+    pub(super) fn last(&self) -> Option<u32> {
+        self.0.last().copied()
+    }
+
     /// Whether nothing is around the ray that keeps fog away.
     pub(super) fn is_hollow(&self, interiors: &[Interior]) -> bool {
         self.0.iter().all(|&i| interiors[i as usize].hollow)

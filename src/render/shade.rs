@@ -3,6 +3,7 @@
 
 use std::ops::Range as Span;
 
+use super::dispersion::{self, Band};
 use super::finish::{Surface, iridescence};
 use super::mirror::{self, Reflectivity};
 use super::refract::{self, Inside, Passage};
@@ -74,6 +75,16 @@ struct Sum {
     left: Rgb,
     clear: f32,
     weight: f32,
+}
+
+/// Light about to be bent.
+struct Bent {
+    /// The top layer's normal.
+    normal: DVec3,
+    weight: f32,
+    /// What the surface leaves of light and transparency behind it.
+    left: Rgb,
+    clear: f32,
 }
 
 /// The layers of one plain texture, from the top down.
@@ -215,26 +226,69 @@ impl Tracer<'_> {
             return None;
         }
         let normal = stack.top.unwrap_or(at.surface.normal);
-        match refract::refracted(at.path.ray.direction, normal, passage.ratio) {
-            Some(direction) => {
-                self.statistics.refracted_rays += 1;
-                let seen = self.trace(Path {
-                    ray: Ray::new(at.surface.leave(direction), direction),
-                    level: at.path.level,
-                    weight,
-                    kind: at.path.kind,
-                    inside: passage.inside.clone(),
-                });
-                sum.color += left * seen.color;
-                sum.transmit += clear * seen.transmit;
+        let Passage { ratio, dispersion, .. } = *passage;
+        let bent = Bent { normal, weight, left, clear };
+        match at.path.wavelength {
+            _ if dispersion == 1.0 => self.bend(at, blend, &bent, ratio, sum),
+            Some(wavelength) => {
+                self.bend(at, blend, &bent, dispersion::ratio(ratio, dispersion, wavelength), sum)
+            }
+            None => {
+                self.disperse(at, &bent, (ratio, dispersion), sum);
+                None
+            }
+        }
+    }
+
+    /// Follows light of one colour through a bending surface.
+    fn bend(&mut self, at: &At, blend: f32, bent: &Bent, ratio: f64, sum: &mut Sum) -> Option<DVec3> {
+        match self.refracted(at, bent, ratio, at.path.wavelength) {
+            Some(seen) => {
+                sum.color += bent.left * seen.color;
+                sum.transmit += bent.clear * seen.transmit;
                 None
             }
             None => {
-                let direction = mirror::mirrored(at.path.ray.direction, normal, at.surface.normal);
-                sum.color += blend * at.attenuation * self.mirrored(at, direction, weight).color;
-                Some(normal)
+                let seen = self.totally_reflected(at, bent, at.path.wavelength);
+                sum.color += blend * at.attenuation * seen.color;
+                Some(bent.normal)
             }
         }
+    }
+
+    /// Follows white light, split into the colours that the interior asks for.
+    fn disperse(&mut self, at: &At, bent: &Bent, (ratio, dispersion): (f64, f64), sum: &mut Sum) {
+        let interiors = &self.world.interiors;
+        let own = &interiors[at.leaf.interior as usize];
+        let around = at.passage.as_ref().and_then(|passage| passage.inside.last());
+        let beyond = around.map_or(0, |number| interiors[number as usize].dispersion_samples);
+        for Band { wavelength, share } in dispersion::bands(own.dispersion_samples.max(beyond)) {
+            let ratio = dispersion::ratio(ratio, dispersion, wavelength);
+            let seen = self
+                .refracted(at, bent, ratio, Some(wavelength))
+                .unwrap_or_else(|| self.totally_reflected(at, bent, Some(wavelength)));
+            sum.color += bent.left * share * seen.color;
+            sum.transmit += bent.clear * grey(share) * seen.transmit;
+        }
+    }
+
+    /// What is seen through a bending surface; `None` beyond the critical angle.
+    fn refracted(&mut self, at: &At, bent: &Bent, ratio: f64, wavelength: Option<f64>) -> Option<Seen> {
+        let direction = refract::refracted(at.path.ray.direction, bent.normal, ratio)?;
+        self.statistics.refracted_rays += 1;
+        Some(self.trace(Path {
+            ray: Ray::new(at.surface.leave(direction), direction),
+            level: at.path.level,
+            weight: bent.weight,
+            kind: at.path.kind,
+            wavelength,
+            inside: at.passage.as_ref().map(|passage| passage.inside.clone()).unwrap_or_default(),
+        }))
+    }
+
+    fn totally_reflected(&mut self, at: &At, bent: &Bent, wavelength: Option<f64>) -> Seen {
+        let direction = mirror::mirrored(at.path.ray.direction, bent.normal, at.surface.normal);
+        self.mirrored(at, direction, bent.weight, wavelength)
     }
 
     /// What a layer mirrors.
@@ -243,7 +297,7 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let direction = mirror::mirrored(at.path.ray.direction, mirror.normal, at.surface.normal);
-        let mut color = self.mirrored(at, direction, mirror.weight).color;
+        let mut color = self.mirrored(at, direction, mirror.weight, at.path.wavelength).color;
         if let Some(irid) = &mirror.irid {
             let settings = &self.world.settings;
             color *= iridescence(
@@ -262,7 +316,7 @@ impl Tracer<'_> {
         mirror.share * color
     }
 
-    fn mirrored(&mut self, at: &At, direction: DVec3, weight: f32) -> Seen {
+    fn mirrored(&mut self, at: &At, direction: DVec3, weight: f32, wavelength: Option<f64>) -> Seen {
         if weight < self.world.settings.adc_bailout {
             self.statistics.bailed_out += 1;
             return Seen::NOTHING;
@@ -273,6 +327,7 @@ impl Tracer<'_> {
             level: at.path.level,
             weight,
             kind: RayKind::REFLECTION,
+            wavelength,
             inside: at.path.inside.clone(),
         })
     }

@@ -22,6 +22,8 @@ pub(super) struct Path {
     pub(super) weight: f32,
     /// From the camera, or by way of a mirror.
     pub(super) kind: RayKind,
+    /// Its only colour in nanometres; `None` for light of all colours.
+    pub(super) wavelength: Option<f64>,
     /// What it is inside of.
     pub(super) inside: Inside,
 }

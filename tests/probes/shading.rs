@@ -41,6 +41,7 @@ chapters! {
     interiors_refract: "10", 5;
     interiors_nest: "11", 8;
     interiors_dim_light: "12", 8;
+    dispersion_splits_light: "13", 4;
     mirrors_reflect: "14", 12;
     shadows_take_colour: "15", 14;
     lights_have_shapes: "16", 29;
