@@ -1,7 +1,7 @@
 //! The command lines, POV-Ray's and povista's own, and the files they leave behind.
 
 pub mod animation;
-mod exit;
+pub mod exit;
 pub mod failure;
 pub mod job;
 mod native;

@@ -28,20 +28,21 @@ pub(super) fn scene(job: &Job, clock: Clock, sink: &mut dyn Sink) -> Result<(Sce
 
 /// Opens the file of a job's scene.
 fn open(job: &Job) -> Result<(FileId, Sources), Problem> {
-    let mut library = Library { paths: job.language.library_paths.clone(), ..Library::default() };
     if job.input == STDIN {
         let mut bytes = Vec::new();
         std::io::stdin()
             .read_to_end(&mut bytes)
             .map_err(|error| Problem::io("read", Path::new("standard input"), &error))?;
-        let mut sources = Sources::new(library);
+        let mut sources = Sources::default();
         let main = sources.add(Source::new("standard input", "", bytes));
         return Ok((main, sources));
     }
+    let library = Library { paths: job.language.library_paths.clone(), ..Library::default() };
     let (path, bytes) =
         library.open(&job.input, FileKind::Scene).map_err(|missing| no_scene(&job.input, missing))?;
-    library.scene = path.parent().map(Path::to_owned);
-    let mut sources = Sources::new(library);
+    // The interpreter adds the paths of its options; the scene's own folder comes last.
+    let mut sources =
+        Sources::new(Library { scene: path.parent().map(Path::to_owned), ..Library::default() });
     let main = sources.add(Source::new(path.display().to_string(), path, bytes));
     Ok((main, sources))
 }

@@ -6,7 +6,6 @@ use super::args::{Check, Telling};
 use super::settings;
 use super::terminal::Terminal;
 use crate::cli::failure::Failure;
-use crate::cli::job::Job;
 use crate::cli::read;
 use crate::diag::{self, Diagnostic, Severity, Sink, Stream};
 use crate::source::Sources;
@@ -47,7 +46,7 @@ impl Sink for Teller<'_> {
 /// # Errors
 /// There is no scene, or nobody reads the answer.
 pub(super) fn check(arguments: &Check, out: &mut dyn Write) -> Result<bool, Failure> {
-    let job = Job::new(&settings::of_scene(&arguments.scene)?)?;
+    let job = settings::job(&arguments.scene, &settings::of_scene(&arguments.scene)?)?;
     let terminal = Terminal::of_stdout();
     let mut teller =
         Teller { telling: arguments.format, out, terminal, broken: Ok(()), errors: 0, warnings: 0 };

@@ -6,7 +6,6 @@ use super::args::Scene;
 use super::settings;
 use super::teller::Teller;
 use crate::cli::failure::Failure;
-use crate::cli::job::Job;
 use crate::cli::read;
 
 /// Shows what was understood of a scene.
@@ -18,7 +17,7 @@ pub(super) fn dump(
     out: &mut dyn Write,
     err: &mut (dyn Write + Send),
 ) -> Result<(), Failure> {
-    let job = Job::new(&settings::of_scene(arguments)?)?;
+    let job = settings::job(arguments, &settings::of_scene(arguments)?)?;
     let (scene, _) = read::scene(&job, job.first_clock(), &mut Teller::new(err, false))?;
     write!(out, "{}", scene.dump())?;
     Ok(())

@@ -28,7 +28,7 @@ pub(super) fn render(arguments: &Render, err: &mut (dyn Write + Send)) -> Result
     let mut settings = settings::of_scene(&arguments.scene)?;
     settings::add_look(&arguments.look, &mut settings);
     settings::add_output(arguments, &mut settings)?;
-    let mut job = Job::new(&settings)?;
+    let mut job = settings::job(&arguments.scene, &settings)?;
     job.exact_output = arguments.output.as_ref().is_some_and(|output| settings::has_extension(output));
     job.language.skip_unsupported = arguments.skip_unsupported;
     job.render.accelerator = settings::accelerator(arguments.accel);

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::args::{Accel, Look, Render, Scene};
 use crate::cli::Problem;
+use crate::cli::job::Job;
 use crate::cli::output::Format;
 use crate::cli::povray::Environment;
 use crate::cli::settings::{Name, Settings, Value};
@@ -31,6 +32,18 @@ pub(super) fn of_scene(scene: &Scene) -> Result<Settings, Problem> {
         settings.set(Name::Clock, Value::Float(clock));
     }
     Ok(settings)
+}
+
+/// What there is to do with a scene.
+///
+/// # Errors
+/// The settings ask for what cannot be.
+pub(super) fn job(scene: &Scene, settings: &Settings) -> Result<Job, Problem> {
+    let mut job = Job::new(settings)?;
+    if let Some(turns) = scene.max_turns {
+        job.language.max_turns = turns;
+    }
+    Ok(job)
 }
 
 /// Adds how a picture looks.
