@@ -69,6 +69,11 @@ pub struct Enclosing<'a> {
 }
 
 impl Enclosing<'_> {
+    /// Whether this or anything around it has `no_bump_scale`, which holds for every normal inside.
+    pub fn is_raw(&self) -> bool {
+        self.no_bump_scale || self.outer.is_some_and(Enclosing::is_raw)
+    }
+
     /// A normal of the world seen from the innermost space.
     pub fn inward(&self, normal: DVec3) -> DVec3 {
         let normal = self.outer.map_or(normal, |outer| outer.inward(normal));

@@ -197,7 +197,7 @@ impl Layer {
         };
         let mut n = outer.map_or(sample.normal, |outer| outer.inward(sample.normal));
         n = place.map_or(n, |place| place.normal_inward(n, true));
-        n = normal.bend(sample, n);
+        n = normal.bend(sample, n, outer.is_some_and(Enclosing::is_raw));
         n = place.map_or(n, |place| place.normal_outward(n, true)).normalize_or_zero();
         sample.bent = n;
         outer.map_or(n, |outer| outer.outward(n))

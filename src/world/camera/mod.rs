@@ -147,7 +147,7 @@ impl Camera {
     pub fn bend(&self, ray: Ray, parameters: DVec2) -> Ray {
         let Some(normal) = &self.normal else { return ray };
         let sample = Sample::at(parameters.extend(0.0));
-        Ray::new(ray.origin, normal.bend(&sample, ray.direction).normalize_or_zero())
+        Ray::new(ray.origin, normal.bend(&sample, ray.direction, false).normalize_or_zero())
     }
 
     /// Where all rays start; `None` where they don't start at one point.

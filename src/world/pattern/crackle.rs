@@ -1,5 +1,7 @@
 //! `crackle` and the seeds of `facets` (docs/spec/patterns-textures.md 2.3 and 4.3).
 
+use std::sync::LazyLock;
+
 use crate::math::DVec3;
 use crate::math::noise::{EPSILON, cell_point, noise, vector_noise};
 
@@ -90,20 +92,22 @@ impl Metric {
     }
 }
 
-/// The cells whose seeds may be among the nearest three: at most one step of two.
-fn neighbours() -> impl Iterator<Item = [i32; 3]> {
+/// The cells whose seeds may be among the nearest three: at most one step of two. The nearest cells come
+/// first, so that the far ones can be passed over.
+static NEIGHBOURS: LazyLock<Vec<[i32; 3]>> = LazyLock::new(|| {
     let steps = || -2..=2_i32;
-    steps()
-        .flat_map(move |x| steps().flat_map(move |y| steps().map(move |z| [x, y, z])))
-        .filter(|o| o.iter().filter(|c| c.abs() == 2).count() <= 1)
-}
+    let all = steps().flat_map(|x| steps().flat_map(move |y| steps().map(move |z| [x, y, z])));
+    let mut near: Vec<_> = all.filter(|o| o.iter().filter(|c| c.abs() == 2).count() <= 1).collect();
+    near.sort_by_key(|o| o.iter().map(|c| c * c).sum::<i32>());
+    near
+});
 
 impl Crackle {
     pub(super) fn value(&self, p: DVec3) -> f64 {
         let cell = (p - EPSILON).floor();
         let mut sums = [f64::INFINITY; 3];
         let mut nearest = DVec3::ZERO;
-        for offset in neighbours() {
+        for &offset in NEIGHBOURS.iter() {
             if !self.metric.may_reach(offset, p - cell, sums[2]) {
                 continue;
             }
@@ -143,7 +147,11 @@ impl Facets {
 
     fn nearest(&self, q: DVec3) -> DVec3 {
         let mut best = (f64::INFINITY, DVec3::ZERO);
-        for offset in neighbours() {
+        let inside = q - (q - EPSILON).floor();
+        for &offset in NEIGHBOURS.iter() {
+            if !self.metric.may_reach(offset, inside, best.0) {
+                continue;
+            }
             let corner = (q + DVec3::from_array(offset.map(f64::from)) - EPSILON).floor();
             let seed = corner + cell_point(corner.to_array().map(|c| c as i32));
             let d = seed - q;

@@ -51,9 +51,9 @@ const PROBES: [DVec3; 4] = [
 
 impl Normal {
     /// The normal `n` of the sample's space, bent: the whole block, into the pattern's space and back.
-    /// Unit unless `no_bump_scale`.
-    pub fn bend(&self, sample: &Sample, n: DVec3) -> DVec3 {
-        let raw = self.no_bump_scale;
+    /// Unit unless `no_bump_scale` of this block or, as `raw`, of one around it.
+    pub fn bend(&self, sample: &Sample, n: DVec3, raw: bool) -> DVec3 {
+        let raw = raw || self.no_bump_scale;
         let through = |warps: &Warps, bend: &dyn Fn(&Sample, DVec3) -> DVec3| {
             let inner = sample.moved(warps.point(sample.point));
             warps.normal_outward(bend(&inner, warps.normal_inward(n, raw)), raw)
@@ -69,9 +69,9 @@ impl Normal {
                 let blended = through(&pattern.warps, &|sample, n| match map
                     .pick(pattern.value_at(sample.point, sample))
                 {
-                    Pick::One(normal) => normal.bend(sample, n),
+                    Pick::One(normal) => normal.bend(sample, n, raw),
                     Pick::Two { previous, current, t } => {
-                        (1.0 - t) * previous.bend(sample, n) + t * current.bend(sample, n)
+                        (1.0 - t) * previous.bend(sample, n, raw) + t * current.bend(sample, n, raw)
                     }
                 });
                 blended.normalize_or_zero()
@@ -80,13 +80,13 @@ impl Normal {
                 let total: f32 = map.entries().iter().map(|(weight, _)| weight).sum();
                 let normals = map.entries().iter();
                 let sum: DVec3 =
-                    normals.map(|(weight, normal)| f64::from(*weight) * normal.bend(sample, n)).sum();
+                    normals.map(|(weight, normal)| f64::from(*weight) * normal.bend(sample, n, raw)).sum();
                 sum / f64::from(total)
             }),
             NormalKind::Bumps(warps, map) => {
                 through(warps, &|sample, n| map.bend(sample.point, n, self.amount))
             }
-            NormalKind::UvMapped(normal) => normal.bend(&sample.uv_mapped(), n).normalize_or_zero(),
+            NormalKind::UvMapped(normal) => normal.bend(&sample.uv_mapped(), n, raw).normalize_or_zero(),
         }
     }
 
