@@ -311,6 +311,10 @@ impl<'a> Vm<'a> {
             let fault = self.error(open.span, format!("`{word}` without `#end`"));
             self.settle(fault.help("add `#end` where its last arm ends"));
         }
+        // A scene with errors has more urgent things to hear.
+        if self.failed {
+            return;
+        }
         let help = "start it with `#version 3.7;`, or what it was written for";
         if !self.version_written {
             self.remark(

@@ -14,6 +14,10 @@ fn nothing_nests_without_end() {
         ("#declare A=array[1]{1} F(A[A[A[A[0]-1]-1]-1])", "1"),
         (&"#declare A=".repeat(10_000), "E"),
         (&"{".repeat(many), "E"),
+        (&"union {".repeat(many), "E"),
+        (&format!("sphere {{ 0, 1 {}", "pigment { checker ".repeat(many / 10)), "E"),
+        (&"texture { gradient x texture_map { [0 ".repeat(many / 10), "E"),
+        (&"normal { average normal_map { [1 ".repeat(many / 10), "E"),
     ]);
 }
 

@@ -54,6 +54,10 @@ pub(super) fn default(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Opt
 
 /// Reads the inside of a normal, as it also stands in a map.
 pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Arc<Normal>> {
+    vm.nested(vm.last, |vm| inside(vm, base))
+}
+
+fn inside(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Arc<Normal>> {
     let mut bumps = vm.state.bumps;
     match read(vm, base, &mut bumps)? {
         Some(normal) => Ok(normal),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{light_group, light_source, modifier, shape};
 use crate::interp::value::Value;
-use crate::interp::{Result, Vm, Word};
+use crate::interp::{Block, Result, Vm, Word};
 use crate::scene::object::ObjectFlags;
 use crate::scene::{Object, Shape};
 
@@ -34,6 +34,10 @@ fn variable(vm: &mut Vm<'_>) -> Result<Option<Arc<Object>>> {
 /// Reads the statement of an object; its keyword comes next.
 pub(in crate::interp) fn statement(vm: &mut Vm<'_>) -> Result<Object> {
     let block = vm.enter()?;
+    vm.nested(block.span, |vm| inside(vm, block))
+}
+
+fn inside(vm: &mut Vm<'_>, block: Block) -> Result<Object> {
     let mut object = if let Some(named) = variable(vm)? {
         let mut copy = Arc::unwrap_or_clone(named);
         copy.span = block.span;

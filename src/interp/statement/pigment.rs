@@ -28,6 +28,10 @@ pub(in crate::interp) fn density(vm: &mut Vm<'_>) -> Result<Arc<Pigment>> {
 
 /// Reads the inside of a pigment or density, as it also stands in a map.
 pub(super) fn body(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigment>> {
+    vm.nested(vm.last, |vm| inside(vm, base, owner))
+}
+
+fn inside(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigment>> {
     let named = vm.accept_value(|value| match (value, owner) {
         (Value::Pigment(pigment), Owner::Pigment) => Some(Arc::clone(pigment)),
         (Value::Density(density), Owner::Density) => Some(Arc::clone(density)),

@@ -39,6 +39,10 @@ pub(in crate::interp) fn blocks(vm: &mut Vm<'_>) -> Result<Texture> {
 
 /// Reads the inside of a `texture`, as it also stands in a `texture_map`.
 pub(super) fn body(vm: &mut Vm<'_>) -> Result<Texture> {
+    vm.nested(vm.last, |vm| inside(vm))
+}
+
+fn inside(vm: &mut Vm<'_>) -> Result<Texture> {
     let named = vm.accept_value(|value| match value {
         Value::Texture(texture) => Some(Texture::clone(texture)),
         _ => None,
