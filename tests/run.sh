@@ -31,4 +31,6 @@ if [ -n "$(missing)" ]; then
 fi
 
 cargo fmt --all --check
+cargo clippy --workspace --all-targets --profile testing -- -D warnings
+RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --quiet --profile testing
 cargo test --workspace --profile testing "$@"

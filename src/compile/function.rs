@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn dividing_by_a_constant_multiplies_by_its_inverse() {
         let third = expression(1, binary(BinaryOp::Divide, parameter(0), number(3.0)));
-        assert_eq!(call(&third, &[5.0]), 1.66666666666666652);
+        assert_eq!(call(&third, &[5.0]), 1.666_666_666_666_666_5);
         let inverse = expression(1, binary(BinaryOp::Divide, number(1.0), parameter(0)));
         assert_eq!(call(&inverse, &[0.0]), f64::INFINITY);
     }

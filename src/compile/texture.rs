@@ -212,7 +212,7 @@ fn finish(finish: &scene::Finish) -> world::texture::Finish {
         specular_exponent: if finish.roughness == 0.0 { 0.0 } else { finish.roughness.recip() },
         metallic: finish.metallic,
         crand: finish.crand,
-        reflection: mirrors.then(|| world::texture::Reflection {
+        reflection: mirrors.then_some(world::texture::Reflection {
             min: reflection.min,
             max: reflection.max,
             fresnel: reflection.fresnel,

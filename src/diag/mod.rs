@@ -2,7 +2,7 @@
 //!
 //! - A [`Diagnostic`] is everything known about one mistake: where, what, why, how to mend it,
 //!   and by which includes and macros one got there.
-//! - Nothing here prints. [`graphical`], [`plain`], [`json`] and [`line`] turn a diagnostic into
+//! - Nothing here prints. [`graphical`], [`plain`], [`json`] and [`line()`] turn a diagnostic into
 //!   text; a [`Sink`] takes diagnostics and the scene's own messages as they come.
 
 mod render;

@@ -90,7 +90,7 @@ mod tests {
     fn floats_are_written_as_c_writes_them() {
         assert_eq!(format_float(2.5, 0, 0), "2");
         assert_eq!(format_float(3.5, 0, 0), "4");
-        assert_eq!(format_float(3.14159, -10, 3), "000003.142");
+        assert_eq!(format_float(3.141_58, -10, 3), "000003.142");
         assert_eq!(format_float(1.0 / 3.0, 0, 20), "0.33333333333333331483");
         assert_eq!(format_float(1e300, 0, 2), "1e+300");
         assert_eq!(format_float(-0.0, 0, 2), "-0.00");

@@ -95,19 +95,14 @@ impl Vm<'_> {
 
     fn skip_directive(&mut self, directive: Directive, link: u32, span: crate::source::Span) {
         match directive {
-            Directive::Macro => {
-                if link != NO_LINK {
-                    self.frame.pos = self.end_of(link as usize) + 1;
-                }
-            }
+            Directive::Macro if link != NO_LINK => self.frame.pos = self.end_of(link as usize) + 1,
+            Directive::Macro => {}
             _ if directive.opens() => {
                 // Too deep is no concern here: what is skipped does not run.
                 drop(self.push_block(BlockKind::Arm { last: false }, span));
             }
-            _ if directive.continues() => {
-                if self.pop_block().is_some() && link != NO_LINK {
-                    self.frame.pos = self.end_of(link as usize) + 1;
-                }
+            _ if directive.continues() && self.pop_block().is_some() && link != NO_LINK => {
+                self.frame.pos = self.end_of(link as usize) + 1;
             }
             Directive::End => drop(self.pop_block()),
             _ => {}

@@ -109,7 +109,7 @@ impl Leaf {
 pub enum Member {
     /// Number of a [`Leaf`].
     Leaf(u32),
-    /// Number of a [`Group`].
+    /// Number of a [`Group`](super::parts::Group).
     Group(u32),
 }
 

@@ -63,7 +63,7 @@ impl Report {
         let expected: f64 = expected.parse().unwrap();
         // Half a unit of the last printed digit, and what printing digits of a double costs.
         let tolerance = 0.51 * 0.1_f64.powi(decimals as i32) + expected.abs() * 4.0 * f64::EPSILON;
-        if !((found - expected).abs() <= tolerance) {
+        if found.is_nan() || (found - expected).abs() > tolerance {
             writeln!(self.wrong, "`{what}` at {at} is {found}, not {expected}").unwrap();
         }
     }

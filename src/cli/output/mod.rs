@@ -1,6 +1,6 @@
 //! From the finished picture to the bytes of a file (docs/spec/camera-image.md 11 to 15).
 //!
-//! [`samples`] turns colors into whole numbers (gamma, alpha, dithering, rounding); one module for each
+//! `samples` turns colors into whole numbers (gamma, alpha, dithering, rounding); one module for each
 //! format puts those into a file. The same picture gives the same bytes: no file holds a date.
 
 mod bmp;

@@ -188,7 +188,7 @@ fn bounds_that_are_too_small_cut() {
     assert!(meets(&[ball.clone(), aside.clone()], 1.5));
     let three = [ball.clone(), aside.clone(), aside];
     assert!(meets(&three, 0.9) && !meets(&three, 1.5));
-    assert!(meets(&[compound.clone()], 0.9) && !meets(&[compound], 1.5));
+    assert!(meets(std::slice::from_ref(&compound), 0.9) && !meets(&[compound], 1.5));
     let roomy = bounded(sphere(DVec3::ZERO, 2.), cube(-3. * DVec3::ONE, 3. * DVec3::ONE));
     assert!(geometry(&[roomy]).parts().leaves[0].limits.is_none());
 }

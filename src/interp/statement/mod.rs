@@ -1,6 +1,6 @@
 //! Readers of statements: one block of the language to a file.
 //!
-//! A reader leaves its keyword to [`Vm::enter`], reads parameters, then items as long as one fits, and
+//! A reader leaves its keyword to `Vm::enter`, reads parameters, then items as long as one fits, and
 //! gives back a value of [`crate::scene`] with every default filled in. What has an identity of its own
 //! (camera, objects, fog …) goes to the [`State`] at the top level only; everywhere else it is a value.
 

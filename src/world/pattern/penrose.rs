@@ -125,7 +125,7 @@ fn halves(w: DVec2, rhombs: bool) -> f64 {
     }
     w = fold(w);
     let slope = if rhombs { 5.55 } else { 4.46 };
-    let lower = |a: f64, b: f64| (0.5 - slope * a.min(b) / 2.0).max(0.0).min(0.5 - 1e-6);
+    let lower = |a: f64, b: f64| (0.5 - slope * a.min(b) / 2.0).clamp(0.0, 0.5 - 1e-6);
     let upper = |a: f64, b: f64| (1.0 - slope * a.min(b) / 2.0).max(0.5 + 1e-6);
     match (half, rhombs) {
         (Half::Kite, false) => lower(distance(w, 0.0, 36.0), distance(w, 1.0, 108.0)),
