@@ -10,8 +10,12 @@ pub const MOST_BLOCKS: usize = 2000;
 /// Parentheses, vectors and statements inside each other.
 pub const MOST_NESTING: u32 = 1000;
 
+/// Objects a scene may make in all: a loop without end that makes them is stopped before the
+/// memory of an ordinary machine is used up.
+pub const MOST_OBJECTS: u64 = 20_000_000;
+
 /// Elements of one array: with more, the memory of an ordinary machine would not do.
-pub const MOST_ELEMENTS: usize = 1 << 26;
+pub const MOST_ELEMENTS: usize = 20_000_000;
 
 /// Characters of one string.
 pub const MOST_CHARACTERS: usize = 1 << 24;

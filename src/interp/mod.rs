@@ -131,6 +131,8 @@ pub struct Vm<'a> {
     /// Levels of nesting of what is being read.
     nesting: u32,
     turns: u64,
+    /// Objects made so far.
+    objects: u64,
     /// A `#version` was met, or given from outside.
     version_written: bool,
     /// The first one came after something else.
@@ -193,6 +195,7 @@ impl<'a> Vm<'a> {
             stack: Vec::new(),
             nesting: 0,
             turns: 0,
+            objects: 0,
             version_written: options.version.is_some(),
             version_late: false,
             stopped: false,
@@ -343,6 +346,16 @@ impl<'a> Vm<'a> {
         let result = stacker::maybe_grow(RED_ZONE, MORE, || read(self));
         self.nesting -= 1;
         result
+    }
+
+    /// Counts an object that is made.
+    fn count_object(&mut self, span: Span) -> Result<()> {
+        self.objects += 1;
+        if self.objects > limits::MOST_OBJECTS {
+            let message = format!("more than {} objects", limits::MOST_OBJECTS);
+            return Err(self.fatal(span, message).help("does the loop that makes them ever end?"));
+        }
+        Ok(())
     }
 
     /// Notes that something concerns the scene as a whole.

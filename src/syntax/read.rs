@@ -191,13 +191,16 @@ impl Reader<'_> {
     }
 }
 
-/// The end of a piece that starts at `start`: a line end where one is near.
+/// The end of a piece that starts at `start`: where a token is not cut, if there is such a place.
 fn piece_end(text: &str, start: usize, size: usize) -> usize {
     if text.len() - start <= size {
         return text.len();
     }
     let end = text.floor_char_boundary(start + size);
-    text[start..end].rfind('\n').map_or(end, |at| start + at + 1)
+    // Some programs write all of a mesh on one line.
+    let piece = &text[start..end];
+    let cut = piece.rfind('\n').or_else(|| piece.rfind([' ', ',', '\t']));
+    cut.map_or(end, |at| start + at + 1)
 }
 
 fn rest_is_blank(text: &str) -> bool {
@@ -229,4 +232,54 @@ fn vector(text: &str) -> NumberVector {
 fn directive(text: &str) -> Option<super::Directive> {
     let start = text.rfind(|c: char| !c.is_ascii_alphabetic()).map_or(0, |at| at + 1);
     DIRECTIVES.iter().find(|(word, _)| *word == &text[start..]).map(|&(_, directive)| directive)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> (Tree, Symbols) {
+        let mut symbols = Symbols::new([]);
+        let tree = parse(FileId(0), &Source::new("a.pov", "", text.into()), &mut symbols);
+        (tree, symbols)
+    }
+
+    fn kinds(text: &str) -> Vec<NodeKind> {
+        read(text).0.nodes.iter().map(|node| node.kind).collect()
+    }
+
+    #[test]
+    fn where_a_long_file_is_cut_makes_no_difference() {
+        let tail = "#  \n declare A = \"b c\"; /* d \n e */ <1.5, -2e3, 3> 12345 # // f\n macro G() #end";
+        let alone = kinds(tail);
+        for cut in 0..tail.len() {
+            let padded = " ".repeat(PIECE - cut) + tail;
+            assert_eq!(kinds(&padded).len(), alone.len(), "cut before {:?}", &tail[cut..]);
+        }
+    }
+
+    #[test]
+    fn a_long_line_is_not_cut_inside_a_number() {
+        let numbers = 40_000;
+        let (tree, _) = read(&"123456,".repeat(numbers));
+        assert_eq!(tree.numbers, vec![123456.0; numbers]);
+    }
+
+    #[test]
+    fn a_vector_of_plain_numbers_is_one_node() {
+        let (tree, _) = read("<1, -2.5 , +3e2,> <1 -1 0> <1,2,3,4,5,6> <1,2>= 3");
+        assert_eq!(tree.vectors, [NumberVector { values: [1.0, -2.5, 300.0, 0.0, 0.0], len: 3 }]);
+    }
+
+    #[test]
+    fn blocks_are_linked_and_what_crosses_files_is_not() {
+        let links: Vec<u32> = kinds("#if(1) #else #while(1) #end #end #end #if(0)")
+            .into_iter()
+            .filter_map(|kind| match kind {
+                NodeKind::Directive(_, link) => Some(link),
+                _ => None,
+            })
+            .collect();
+        assert_eq!(links, [4, 10, 9, NO_LINK, NO_LINK, NO_LINK, NO_LINK]);
+    }
 }

@@ -34,6 +34,7 @@ fn variable(vm: &mut Vm<'_>) -> Result<Option<Arc<Object>>> {
 /// Reads the statement of an object; its keyword comes next.
 pub(in crate::interp) fn statement(vm: &mut Vm<'_>) -> Result<Object> {
     let block = vm.enter()?;
+    vm.count_object(block.span)?;
     vm.nested(block.span, |vm| inside(vm, block))
 }
 
