@@ -84,8 +84,7 @@ impl Reader<'_> {
         };
         for pair in pairs.flat_map(|piece| piece.into_inner()) {
             let (rule, span) = (pair.as_rule(), pair.as_span());
-            let goes_on = matches!(rule, Rule::unclosed_comment | Rule::unclosed_string | Rule::hash);
-            if goes_on && !last && (rule != Rule::hash || rest_is_blank(&text[span.end()..])) {
+            if matches!(rule, Rule::unclosed_comment | Rule::unclosed_string) && !last {
                 return offset + span.start();
             }
             match rule {
@@ -93,7 +92,11 @@ impl Reader<'_> {
                 _ => self.token(rule, span.as_str(), offset + span.start()),
             }
         }
-        offset + text.len()
+        // The word of a directive may stand in the next piece.
+        match self.tree.nodes.pop_if(|node| node.kind == NodeKind::Punct(Punct::Hash) && !last) {
+            Some(hash) if hash.start as usize >= offset => hash.start as usize,
+            _ => offset + text.len(),
+        }
     }
 
     fn token(&mut self, rule: Rule, text: &str, start: usize) {
@@ -201,11 +204,6 @@ fn piece_end(text: &str, start: usize, size: usize) -> usize {
     let piece = &text[start..end];
     let cut = piece.rfind('\n').or_else(|| piece.rfind([' ', ',', '\t']));
     cut.map_or(end, |at| start + at + 1)
-}
-
-fn rest_is_blank(text: &str) -> bool {
-    // A comment between `#` and its word may also have been cut, but not without leaving a token.
-    text.bytes().all(|b| b.is_ascii_whitespace())
 }
 
 /// `1e` and `1e+` are numbers in a scene but not in Rust.
