@@ -99,12 +99,14 @@ impl Vm<'_> {
             Directive::Macro => {}
             _ if directive.opens() => {
                 // Too deep is no concern here: what is skipped does not run.
-                drop(self.push_block(BlockKind::Arm { last: false }, span));
+                let _: super::Result<()> = self.push_block(BlockKind::Arm { last: false }, span);
             }
             _ if directive.continues() && self.pop_block().is_some() && link != NO_LINK => {
                 self.frame.pos = self.end_of(link as usize) + 1;
             }
-            Directive::End => drop(self.pop_block()),
+            Directive::End => {
+                self.pop_block();
+            }
             _ => {}
         }
     }
