@@ -68,16 +68,12 @@ fn check(vm: &Vm<'_>, object: &Object) -> Result<()> {
     Ok(())
 }
 
-/// Drops the bounds of a single shape at the top level: its own are at least as good. Only a `poly`
-/// and a CSG keep theirs.
-pub(super) fn drop_superfluous(vm: &mut Vm<'_>, object: &mut Arc<Object>) {
-    let keeps = matches!(object.shape, Shape::Csg(_) | Shape::Poly(_) | Shape::LightGroup(_));
+/// Warns of bounds of a single shape at the top level: only their box counts, and only where it is
+/// too small and cuts (docs/spec/primitives.md 8.3). A `poly` and a CSG gain from theirs.
+pub(super) fn warn_of_superfluous(vm: &mut Vm<'_>, object: &Object) {
+    let gains = matches!(object.shape, Shape::Csg(_) | Shape::Poly(_) | Shape::LightGroup(_));
     let bounded = object.extra.as_ref().is_some_and(|extra| !extra.bounded_by.is_empty());
-    if keeps || !bounded {
-        return;
+    if bounded && !gains {
+        vm.warn(object.span, "this object gains nothing from `bounded_by`", "it can be left out");
     }
-    let object = Arc::make_mut(object);
-    modifier::extra(object).bounded_by.clear();
-    object.flags.remove(ObjectFlags::BOUNDS_ARE_CLIPS);
-    vm.warn(object.span, "this object gains nothing from `bounded_by`", "it is left out");
 }

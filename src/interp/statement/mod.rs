@@ -91,8 +91,8 @@ pub fn read_rvalue(vm: &mut Vm, word: Word) -> Result<Option<Value>> {
 /// Reads a statement at the top level of the scene. `false`, and nothing taken, when none starts
 /// there.
 pub fn read_top_level(vm: &mut Vm) -> Result<bool> {
-    if let Some(mut object) = object::any(vm)? {
-        bounds::drop_superfluous(vm, &mut object);
+    if let Some(object) = object::any(vm)? {
+        bounds::warn_of_superfluous(vm, &object);
         vm.state.add(object);
         return Ok(true);
     }
