@@ -158,6 +158,11 @@ impl Octaves {
     }
 }
 
+/// Entry `index` of the lattice hash table, 0 … 4095; indices wrap.
+pub fn hash(index: i32) -> i32 {
+    i32::from(HASH[(index & 4095) as usize])
+}
+
 /// Hash of a cell's three integer coordinates, 0 … 4095 (docs/spec/patterns-textures.md 1.2).
 pub fn cell_hash(cell: [i32; 3]) -> usize {
     let table = &**HASH;

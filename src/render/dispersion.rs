@@ -77,11 +77,14 @@ fn cumulative(wavelength: f64) -> Rgb {
 mod tests {
     use super::*;
 
+    /// The visible range cuts off the ends of the table, so a little red and blue is missing.
     #[test]
-    fn bands_add_up_to_white() {
+    fn bands_add_up_to_the_same_near_white_however_many_there_are() {
+        let whole: Rgb = bands(1).map(|band| band.share).sum();
+        assert!(whole.min_element() > 0.98 && whole.max_element() <= 1.0, "{whole}");
         for count in [2, 3, 7, 20] {
             let sum: Rgb = bands(count).map(|band| band.share).sum();
-            assert!(sum.abs_diff_eq(Rgb::ONE, 6e-3), "{count}: {sum}");
+            assert!(sum.abs_diff_eq(whole, 1e-6), "{count}: {sum}, all at once {whole}");
         }
     }
 

@@ -4,6 +4,7 @@
 use std::sync::LazyLock;
 
 use crate::math::DVec2;
+use crate::math::noise::hash;
 
 /// The low ends of the words that make up the displacements, one for each bit of an index.
 const WORDS: [u16; 8] = [0x8182, 0x8302, 0x8602, 0x8c02, 0x9802, 0xb002, 0xe002, 0x4002];
@@ -16,23 +17,6 @@ static DISPLACEMENTS: LazyLock<[f32; 256]> = LazyLock::new(|| {
         ((exact * 1e6).round() / 1e6) as f32
     })
 });
-
-/// A permutation of 0 … 4095.
-static HASH: LazyLock<[u16; 4096]> = LazyLock::new(|| {
-    let mut table: [u16; 4096] = std::array::from_fn(|i| i as u16);
-    let mut state: i32 = 0;
-    for i in (0..4096).rev() {
-        state = state.wrapping_mul(1_812_433_253).wrapping_add(12345);
-        let j = (state >> 16 & 32767) as usize % 4096;
-        table.swap(i, j);
-    }
-    table
-});
-
-/// Entry `index` of the hash table, which repeats every 4096 entries.
-pub(super) fn hash(index: i32) -> i32 {
-    i32::from(HASH[(index & 4095) as usize])
-}
 
 /// The displacement that belongs to a place, each component from -½ to ½.
 pub(super) fn jitter(x: f64, y: f64) -> DVec2 {
@@ -51,13 +35,6 @@ fn truncate(x: f64) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_hash_table_is_the_noise_patterns() {
-        let start: Vec<i32> = (0..8).map(hash).collect();
-        assert_eq!(start, [2291, 2574, 3654, 1557, 1196, 3388, 2637, 1820]);
-        assert_eq!((hash(1000), hash(4095), hash(4096)), (835, 3088, 2291));
-    }
 
     #[test]
     fn displacements_are_the_listed_ones() {

@@ -1,10 +1,11 @@
 //! Pixels through a lens (docs/spec/camera-image.md 8.4).
 
 use super::Eye;
-use super::jitter::{hash, jitter};
+use super::jitter::jitter;
 use super::sampling::Sample;
 use super::trace::Tracer;
 use crate::math::DVec2;
+use crate::math::noise::hash;
 use crate::world::camera::{FocalBlur, film};
 
 /// Sub-pixel places along an axis.
