@@ -127,17 +127,38 @@ impl Scopes {
 
     /// What a name stands for in the newest scope, if it was bound there.
     pub fn find_local(&self, symbol: Symbol) -> Option<&Place> {
-        let binding = self.stacks.get(symbol.0 as usize)?.last()?;
-        (binding.scope == self.depth()).then_some(&binding.place)
+        self.find_in(self.depth(), symbol)
+    }
+
+    /// What a name stands for in a scope, if it was bound there.
+    pub fn find_in(&self, scope: u32, symbol: Symbol) -> Option<&Place> {
+        let stack = self.stacks.get(symbol.0 as usize)?;
+        stack
+            .iter()
+            .rev()
+            .find(|binding| binding.scope <= scope)
+            .filter(|b| b.scope == scope)
+            .map(|b| &b.place)
     }
 
     /// Binds a name in the newest scope.
     pub fn bind_local(&mut self, symbol: Symbol, place: Place) {
-        let scope = self.depth();
+        self.bind_in(self.depth(), symbol, place);
+    }
+
+    /// Binds a name in a scope that is still active, perhaps under newer ones.
+    pub fn bind_in(&mut self, scope: u32, symbol: Symbol, place: Place) {
         if scope > 0 {
-            self.log.push(symbol);
+            // The log of a scope ends where that of the next begins.
+            let end = self.starts.get(scope as usize).copied().unwrap_or(self.log.len());
+            self.log.insert(end, symbol);
+            for start in self.starts.iter_mut().skip(scope as usize) {
+                *start += 1;
+            }
         }
-        self.stack(symbol).push(Binding { scope, place });
+        let stack = self.stack(symbol);
+        let above = stack.iter().rev().take_while(|binding| binding.scope > scope).count();
+        stack.insert(stack.len() - above, Binding { scope, place });
     }
 
     /// Binds a name for the whole rest of the scene; newer bindings still hide it.
@@ -217,6 +238,20 @@ mod tests {
         assert_eq!(float(&scopes, name), Some(2.0));
         scopes.leave();
         assert_eq!(float(&scopes, name), Some(1.0));
+    }
+
+    #[test]
+    fn a_name_can_be_bound_in_a_scope_below_the_newest() {
+        let (mut scopes, name, other) = (Scopes::default(), Symbol(3), Symbol(4));
+        scopes.enter();
+        scopes.enter();
+        scopes.bind_local(other, Place::new(Value::Float(5.0)));
+        scopes.bind_in(1, name, Place::new(Value::Float(1.0)));
+        assert!(scopes.find_in(1, name).is_some() && scopes.find_local(name).is_none());
+        scopes.leave();
+        assert_eq!((float(&scopes, name), float(&scopes, other)), (Some(1.0), None));
+        scopes.leave();
+        assert_eq!(float(&scopes, name), None);
     }
 
     #[test]

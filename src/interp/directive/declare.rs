@@ -21,6 +21,8 @@ struct Read {
 struct Target {
     symbol: Symbol,
     span: Span,
+    /// The scope it was named in: the value may end inside a macro, which has a scope of its own.
+    scope: u32,
     /// The element, where subscripts were written.
     element: Option<Place>,
 }
@@ -52,8 +54,6 @@ impl Vm<'_> {
             }
         };
         let ends = value.ends_with_semicolon;
-        // A macro whose body ended with the value is left first: the name belongs to its caller.
-        self.peek_raw();
         self.assign(&target, value.value, local)?;
         if let (Some(note), true) = (note, fresh) {
             let message = note.message.unwrap_or_else(|| {
@@ -122,7 +122,8 @@ impl Vm<'_> {
             return Err(self.expected_at(equal, &format!("`=` after `{name}`")));
         }
         self.next_raw();
-        Ok(Target { symbol, span: token.span, element })
+        let scope = self.scopes.depth();
+        Ok(Target { symbol, span: token.span, scope, element })
     }
 
     /// The element of an array a declaration names by subscripts.
@@ -173,7 +174,7 @@ impl Vm<'_> {
     fn assign(&mut self, target: &Target, value: Value, local: bool) -> Result<()> {
         let place = match &target.element {
             Some(element) => Some(element.clone()),
-            None if local => self.scopes.find_local(target.symbol).cloned(),
+            None if local => self.scopes.find_in(target.scope, target.symbol).cloned(),
             None => self.scopes.find(target.symbol).cloned(),
         };
         match place {
@@ -181,7 +182,7 @@ impl Vm<'_> {
                 self.error(target.span, message).help("all elements of an array are of one kind")
             }),
             None if local => {
-                self.scopes.bind_local(target.symbol, Place::new(value));
+                self.scopes.bind_in(target.scope, target.symbol, Place::new(value));
                 Ok(())
             }
             None => {

@@ -113,20 +113,29 @@ fn normal_as(word: &str, normal: &Normal) -> Block {
 }
 
 fn finish(finish: &Finish) -> Block {
-    let mut block = Block::new("finish")
-        .field("ambient", rgb(finish.ambient))
-        .field("emission", rgb(finish.emission))
-        .line(format!("diffuse {}, {}", number(finish.diffuse), number(finish.diffuse_back)));
-    if finish.raw_diffuse != [finish.diffuse, finish.diffuse_back] {
-        block = block.field("raw_diffuse", finish.raw_diffuse.map(number).join(", "));
+    let diffuse = |[front, back]: [f32; 2]| format!("{}, {}", number(front), number(back));
+    let scattered = [finish.diffuse, finish.diffuse_back];
+    let mut block = Block::new("finish").line(format!(
+        "ambient {} emission {} diffuse {} brilliance {}",
+        rgb(finish.ambient),
+        rgb(finish.emission),
+        diffuse(scattered),
+        number(finish.brilliance)
+    ));
+    if finish.raw_diffuse != scattered {
+        block = block.field("raw_diffuse", diffuse(finish.raw_diffuse));
     }
     block = block
-        .field("brilliance", number(finish.brilliance))
-        .line(format!("phong {} phong_size {}", number(finish.phong), number(finish.phong_size)))
-        .line(format!("specular {} roughness {}", number(finish.specular), number(finish.roughness)))
-        .field("metallic", number(finish.metallic))
-        .field("crand", number(finish.crand))
-        .field("conserve_energy", switch(finish.conserve_energy))
+        .line(format!(
+            "phong {} phong_size {} specular {} roughness {} metallic {} crand {} conserve_energy {}",
+            number(finish.phong),
+            number(finish.phong_size),
+            number(finish.specular),
+            number(finish.roughness),
+            number(finish.metallic),
+            number(finish.crand),
+            switch(finish.conserve_energy)
+        ))
         .block(reflection(&finish.reflection));
     if let Some(irid) = &finish.irid {
         block = block.block(

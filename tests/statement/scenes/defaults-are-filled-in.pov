@@ -1,0 +1,4 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+light_source { <1, 2, 3> rgb 1 }
+sphere { 0, 1 }
