@@ -79,7 +79,6 @@ impl Vm<'_> {
     /// Takes the next token.
     #[inline]
     #[expect(clippy::should_implement_trait, reason = "tokens are no iterator: taking one can fail")]
-    #[expect(clippy::should_implement_trait, reason = "an iterator's `next` can't fail with a diagnostic")]
     pub fn next(&mut self) -> Result<Token> {
         let token = self.peek()?;
         self.take(token);
