@@ -63,7 +63,8 @@ impl Flattener {
     /// Adds what an object is clipped and bounded by.
     pub(super) fn limits(&mut self, object: &Object, own: &Inherited) -> Option<Box<Limits>> {
         let extra = object.extra.as_deref()?;
-        let place = Inherited { outer: own.outer.clone(), depth: own.depth + 1, ..Inherited::default() };
+        let place =
+            Inherited { outer: own.outer.clone(), depth: own.depth + 1, asked: true, ..Inherited::default() };
         let clips = extra.clipped_by.iter().filter_map(|clip| self.member(clip, &place)).collect();
         // The bounds of primitives are another matter; bounds that are clips cut nothing more.
         let bounds = match object.shape {
@@ -106,10 +107,11 @@ fn children<'a>(csg: &'a Csg, object: &Object, own: &Inherited) -> Vec<(&'a Obje
         Operation::Intersection => RayKind::empty(),
     };
     let cut = operation == Operation::Intersection;
+    let asked = within.asked || operation != Operation::Union;
     let inherit = |(place, child)| {
         let taken_away = csg.operation == CsgOperation::Difference && place > 0;
         let inverted = within.inverted != taken_away;
-        (child, Inherited { inverted, heeded, cut, ..within.clone() })
+        (child, Inherited { inverted, heeded, cut, asked, ..within.clone() })
     };
     csg.children.iter().map(|child| &**child).enumerate().map(inherit).rev().collect()
 }

@@ -92,6 +92,8 @@ pub(super) struct Inherited {
     pub(super) cutaway: bool,
     /// Whether members cut each other.
     pub(super) cut: bool,
+    /// Whether anything asks for points inside: a compound that isn't a mere union, or what is clipped.
+    pub(super) asked: bool,
     /// The light group around.
     pub(super) lights: u32,
     /// How many compounds are around.
@@ -113,6 +115,7 @@ impl Default for Inherited {
             inverted: false,
             cutaway: false,
             cut: false,
+            asked: false,
             lights: 0,
             depth: 0,
         }

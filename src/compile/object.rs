@@ -127,6 +127,8 @@ impl Flattener {
             (&Shape::Plane { normal, distance }, transform) => {
                 half_space(normal, distance, transform.as_deref(), 0.0)
             }
+            // Their inside goes on without end behind the surface.
+            (Shape::Disc(_) | Shape::HeightField(_), _) if own.asked => Bounds::ALL,
             (_, Some(transform)) => compiled.primitive.bounds().transformed(transform),
             (_, None) => compiled.primitive.bounds(),
         });

@@ -29,6 +29,8 @@ pub struct TextureCompiler<'a> {
     objects: Option<ObjectCompiler<'a>>,
     depth: u32,
     pub(super) uses_uv: bool,
+    /// Whether a finish lets light pass below the surface.
+    pub(super) uses_subsurface: bool,
     waves: Option<Arc<[WaveSource]>>,
     bodies: Cache<scene::texture::TextureBody, TextureBody>,
     finishes: Cache<scene::Finish, world::texture::Finish>,
@@ -51,6 +53,7 @@ impl<'a> TextureCompiler<'a> {
             objects: None,
             depth: 0,
             uses_uv: false,
+            uses_subsurface: false,
             waves: None,
             bodies: Cache::default(),
             finishes: Cache::default(),
@@ -139,6 +142,7 @@ impl<'a> TextureCompiler<'a> {
             .entry(Arc::as_ptr(&layer.finish))
             .or_insert_with(|| (layer.finish.clone(), Arc::new(finish(&layer.finish))));
         let finish = finish.1.clone();
+        self.uses_subsurface |= finish.subsurface.is_some();
         let pigment = self.pigment(&layer.pigment)?;
         let normal = layer.normal.as_ref().map(|normal| self.normal(normal)).transpose()?;
         Ok(Layer { pigment, normal, finish })

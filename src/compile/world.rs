@@ -42,6 +42,10 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
     let atmosphere = atmosphere::atmosphere(&scene, &mut textures, &mut lacking);
     let interiors = interiors(&mut flat, &mut lacking);
     let surfaces = surfaces(&mut flat, &mut textures, &mut lacking);
+    // Without the setting a finish with `subsurface` is shaded as any other.
+    if scene.settings.subsurface.is_some() && textures.uses_subsurface && options.quality >= 9 {
+        lacking.push(Unsupported::new(scene.camera.span, "subsurface"));
+    }
     let needs = needs::needs(&flat, &textures);
     let lights =
         flat.lights.iter().map(|used| light::light(&used.light, &used.transform, used.projected_through));

@@ -13,6 +13,8 @@ fn arguments_by_reference_and_by_value() {
         ("#declare i=0; #macro N() #declare i=i+1; i #end #macro M(a,b) F(a) F(b) #end M(N(),N())", "2 2"),
         ("#macro M(a) #undef a #end #declare Q=1; M(Q) F(Q)", "1"),
         ("#macro M(a) #declare a[0]=7; #end #declare Q=array[1]{1} M(Q) F(Q[0])", "7"),
+        // The macro may end with the declaration.
+        ("#macro M(a) #declare a=\"new\" #end #declare T=\"old\" M(T) S(T)", "[new]"),
         ("#macro M(s) S(s) #end #declare T=\"x\" M(T) M(\"y\")", "[x] [y]"),
     ]);
 }
@@ -27,6 +29,9 @@ fn results_are_the_tokens_of_the_body() {
         ("#macro M(n) #if(n) 1 #else 2 #end #end F((M(1)))", "1"),
         ("#macro M(n) #if(n) 1 #else 2 #end #end #declare A=M(1);", "E"),
         ("#macro M() 7 #end #declare A=M(); F(A) F(M())", "7 7"),
+        ("#macro M() #local q=<1,2,3>; q; #end #macro N() #local A=M() V(A) #end N()", "1,2,3"),
+        ("#macro M(n) #if(n) 7; #else 8; #end #end #macro N() #local A=M(1) F(A) #end N()", "7"),
+        ("#macro M() #local A=5; A #end #macro N() #local A=M(); F(A) #end N()", "5"),
         ("#macro V3(a) <a,a,a> #end V(V3(2))", "2,2,2"),
         ("#macro A() #macro B() F(3) #end B() #end A() B()", "3 3"),
         ("#macro M() 1 #end #macro M() 2 #end F(M())", "2"),

@@ -37,6 +37,18 @@ fn cl() -> Arc<Object> {
 }
 
 #[test]
+fn a_disc_cuts_with_all_of_its_half_space() {
+    let disc = object(Shape::Disc(Box::new(Disc { center: DVec3::ZERO, normal: Y, radius: 1.5, hole: 0. })));
+    let dome = intersection([sphere(DVec3::ZERO, 1.), disc]);
+    let probe = probe(&dome);
+    let (point, normal) = probe.trace(-5. * Y, Y).unwrap();
+    assert!(point.distance(-Y) < 1e-12 && normal.distance(-Y) < 1e-12, "{point} {normal}");
+    let (point, _) = probe.trace(5. * Y, -Y).unwrap();
+    assert!(point.length() < 1e-12, "{point}");
+    assert!(probe.inside(-0.5 * Y) && !probe.inside(0.5 * Y));
+}
+
+#[test]
 fn rays_hit_compounds_where_povray_says() {
     let dq = difference([unit_box(), quadric(DVec3::ONE, 2. * Z, 0.75)]);
     let dp = difference([sphere(DVec3::ZERO, 1.), plane(Z, -0.5)]);

@@ -25,6 +25,9 @@ struct Target {
     scope: u32,
     /// The element, where subscripts were written.
     element: Option<Place>,
+    /// What the name stood for before the value was read, for the value may end the macro it
+    /// stands in or leave one it called.
+    bound: Option<Place>,
 }
 
 impl Vm<'_> {
@@ -37,7 +40,7 @@ impl Vm<'_> {
             Ok(note) => note,
             Err(fault) => return self.give_up(fault, depth),
         };
-        let target = match self.read_target() {
+        let target = match self.read_target(local) {
             Ok(target) => target,
             Err(fault) => return self.give_up(fault, depth),
         };
@@ -89,7 +92,7 @@ impl Vm<'_> {
     }
 
     /// Reads the name, subscripts and `=` of a declaration.
-    fn read_target(&mut self) -> Result<Target> {
+    fn read_target(&mut self, local: bool) -> Result<Target> {
         let token = self.next_raw();
         let symbol = match token.kind {
             TokenKind::Name(symbol) => symbol,
@@ -121,9 +124,10 @@ impl Vm<'_> {
             let name = self.symbols.name(symbol).clone();
             return Err(self.expected_at(equal, &format!("`=` after `{name}`")));
         }
+        let bound = if local { self.scopes.find_local(symbol) } else { self.scopes.find(symbol) }.cloned();
         self.next_raw();
         let scope = self.scopes.depth();
-        Ok(Target { symbol, span: token.span, scope, element })
+        Ok(Target { symbol, span: token.span, scope, element, bound })
     }
 
     /// The element of an array a declaration names by subscripts.
@@ -172,17 +176,22 @@ impl Vm<'_> {
 
     /// Binds the value to what is declared.
     fn assign(&mut self, target: &Target, value: Value, local: bool) -> Result<()> {
-        let place = match &target.element {
-            Some(element) => Some(element.clone()),
-            None if local => self.scopes.find_in(target.scope, target.symbol).cloned(),
-            None => self.scopes.find(target.symbol).cloned(),
-        };
-        match place {
+        let known = target.element.as_ref().or(target.bound.as_ref()).or_else(|| {
+            if local {
+                self.scopes.find_in(target.scope, target.symbol)
+            } else {
+                self.scopes.find(target.symbol)
+            }
+        });
+        match known.cloned() {
             Some(place) => place.set(value).map_err(|message| {
                 self.error(target.span, message).help("all elements of an array are of one kind")
             }),
             None if local => {
-                self.scopes.bind_in(target.scope, target.symbol, Place::new(value));
+                // A scope that the value ended takes no more names.
+                if target.scope <= self.scopes.depth() {
+                    self.scopes.bind_in(target.scope, target.symbol, Place::new(value));
+                }
                 Ok(())
             }
             None => {

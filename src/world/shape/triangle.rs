@@ -101,6 +101,20 @@ impl Sheared {
     }
 }
 
+impl Sheared {
+    /// Whether the ray passes so close to the border of a triangle, on either side, that neighbours
+    /// whose corners were rounded apart may both miss it or both have it.
+    pub(super) fn grazes(&self, corners: [DVec3; 3], distance: f64) -> bool {
+        let [a, b, c] = corners.map(|p| self.corner(p));
+        let sides = [(b, c), (c, a), (a, b)].map(|(from, to)| {
+            let room = distance * (to - from).truncate().length();
+            (edge(from, to), room)
+        });
+        let within = |sense: f64| sides.iter().all(|(area, room)| sense * area >= -room);
+        sides.iter().any(|(area, room)| area.abs() <= *room) && (within(1.0) || within(-1.0))
+    }
+}
+
 /// Twice the signed area between an edge and the ray, its sign exact.
 fn edge(from: DVec3, to: DVec3) -> f64 {
     let (one, other) = (to.x * from.y, to.y * from.x);

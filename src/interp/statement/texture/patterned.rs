@@ -79,7 +79,8 @@ pub(super) fn modifiers(vm: &mut Vm<'_>, mut texture: Texture) -> Result<Texture
     }
 }
 
-/// Reads `tiles { texture … tile2 texture … }`: a checker of two textures.
+/// Reads `tiles { texture … tile2 texture … }`: a checker of two textures, the second of them in the
+/// cube <0,0,0> to <1,1,1>, where `checker` has its first.
 fn tiles(vm: &mut Vm<'_>) -> Result<Texture> {
     let inner = vm.enter()?;
     let first = stack(vm)?;
@@ -89,7 +90,7 @@ fn tiles(vm: &mut Vm<'_>) -> Result<Texture> {
     let second = stack(vm)?;
     vm.close(inner)?;
     let field = Arc::new(Field::new(inner.span, Pattern::Checker));
-    let map = Arc::new(BlendMap::list([first, second]));
+    let map = Arc::new(BlendMap::list([second, first]));
     modifiers(vm, Texture::new(TextureBody::Patterned { field, map, no_bump_scale: false }))
 }
 

@@ -46,6 +46,12 @@ pub struct Face {
     pub textures: Option<[u32; 3]>,
 }
 
+/// The width of a seam between corners meant to be the same, relative to the mesh.
+const SEAM: f64 = 1e-13;
+
+/// How far `inside_vector` is turned where it runs along an edge, relative to its length.
+const ASIDE: f64 = 1e-3;
+
 impl Mesh {
     /// Faces without area are left out; normals are normalised, a zero one becomes +x.
     /// `inside` is the direction that decides what is inside; without it the mesh is a surface.
@@ -69,6 +75,21 @@ impl Mesh {
         let bounds = boxes.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
         let inside = inside.filter(|direction| *direction != DVec3::ZERO);
         Some(Self { bvh: Bvh::new(&boxes), lists, faces, bounds, inside })
+    }
+
+    /// Whether a ray leaves the surface an odd number of times, and whether it comes too close to an
+    /// edge to be sure.
+    fn parity(&self, ray: &Ray) -> (bool, bool) {
+        let sheared = Sheared::new(ray);
+        let near = SEAM * self.bounds.size().max_element();
+        let (mut odd, mut grazing) = (false, false);
+        self.bvh.visit(ray, Range::AHEAD, |part, _| {
+            let corners = self.corners(part);
+            odd ^= sheared.meet(corners).is_some_and(|hit| hit.owned && hit.t > 0.0);
+            grazing |= sheared.grazes(corners, near);
+            None
+        });
+        (odd, grazing)
     }
 
     fn corners(&self, part: u32) -> [DVec3; 3] {
@@ -132,14 +153,18 @@ impl Shape for Mesh {
         let Some(direction) = self.inside else {
             return false;
         };
-        let ray = Ray::new(point, direction);
-        let sheared = Sheared::new(&ray);
-        let mut odd = false;
-        self.bvh.visit(&ray, Range::AHEAD, |part, _| {
-            odd ^= sheared.meet(self.corners(part)).is_some_and(|hit| hit.owned && hit.t > 0.0);
-            None
-        });
-        odd
+        let (odd, grazing) = self.parity(&Ray::new(point, direction));
+        if !grazing {
+            return odd;
+        }
+        // Along an edge the count is as good as the corners are exact: a seam whose two sides were
+        // computed apart has a gap or overlaps. A direction hardly different decides.
+        let aside = direction.any_orthogonal_vector() * ASIDE;
+        let around = aside.cross(direction.normalize_or_zero());
+        let nearby = [aside + 0.7 * around, 0.6 * aside - around, -aside - 0.4 * around];
+        let mut counts =
+            nearby.map(|turn| Ray::new(point, direction + turn)).into_iter().map(|ray| self.parity(&ray));
+        counts.find(|(_, grazing)| !grazing).map_or(odd, |(odd, _)| odd)
     }
 
     fn is_solid(&self) -> bool {
