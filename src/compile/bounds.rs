@@ -1,4 +1,4 @@
-//! `bounded_by` of primitives. POV-Ray throws the bounding object away but keeps its box where that
+//! `bounded_by` of primitives other than polynomials, which keep it. POV-Ray throws the bounding object away but keeps its box where that
 //! is smaller than the primitive's own, and rays that miss the box miss the primitive. Bounds that
 //! are too small show: they cut (docs/spec/primitives.md 8.3).
 
@@ -33,7 +33,7 @@ impl Flattener {
         };
         let bounding = object.extra.as_ref().map_or(&[][..], |extra| &extra.bounded_by);
         let clips = object.flags.contains(ObjectFlags::BOUNDS_ARE_CLIPS);
-        if bounding.is_empty() || clips || matches!(object.shape, Shape::Csg(_)) {
+        if bounding.is_empty() || clips || matches!(object.shape, Shape::Csg(_) | Shape::Poly(_)) {
             return;
         }
         // The smallest of all boxes is the one that counts.
@@ -63,10 +63,7 @@ impl Flattener {
 
 /// Primitives that POV-Ray tests without looking at their boxes first.
 fn skips_its_box(shape: &Shape) -> bool {
-    matches!(
-        shape,
-        Shape::Sphere { .. } | Shape::Box { .. } | Shape::Plane { .. } | Shape::Triangle(_) | Shape::Poly(_)
-    )
+    matches!(shape, Shape::Sphere { .. } | Shape::Box { .. } | Shape::Plane { .. } | Shape::Triangle(_))
 }
 
 /// A leaf that is only asked whether a ray meets it.

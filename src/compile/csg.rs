@@ -66,9 +66,9 @@ impl Flattener {
         let place =
             Inherited { outer: own.outer.clone(), depth: own.depth + 1, asked: true, ..Inherited::default() };
         let clips = extra.clipped_by.iter().filter_map(|clip| self.member(clip, &place)).collect();
-        // The bounds of primitives are another matter; bounds that are clips cut nothing more.
+        // The bounds of other primitives are another matter; bounds that are clips cut nothing more.
         let bounds = match object.shape {
-            Shape::Csg(_) if !object.flags.contains(ObjectFlags::BOUNDS_ARE_CLIPS) => {
+            Shape::Csg(_) | Shape::Poly(_) if !object.flags.contains(ObjectFlags::BOUNDS_ARE_CLIPS) => {
                 extra.bounded_by.iter().filter_map(|bound| self.member(bound, &place)).collect()
             }
             _ => Vec::new(),

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::probe::Probe;
 use crate::math::{DVec3, Transform};
 use crate::scene::object::{ObjectExtra, ObjectFlags};
-use crate::scene::shape::{Cone, Csg, CsgOperation, Disc, Quadric, Triangle};
+use crate::scene::shape::{Cone, Csg, CsgOperation, Disc, Poly, Quadric, Triangle};
 use crate::scene::{Object, Shape};
 use crate::source::Span;
 

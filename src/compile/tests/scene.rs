@@ -189,6 +189,10 @@ fn bounds_that_are_too_small_cut() {
     let three = [ball.clone(), aside.clone(), aside];
     assert!(meets(&three, 0.9) && !meets(&three, 1.5));
     assert!(meets(std::slice::from_ref(&compound), 0.9) && !meets(&[compound], 1.5));
+    // A polynomial keeps its bounding object, not just that one's box.
+    let poly = Poly { order: 2, coefficients: vec![0., 0., 0., 0., 1., 0., 0., 1., 0., -0.1] };
+    let rod = bounded(object(Shape::Poly(Arc::new(poly))), sphere(DVec3::ZERO, 1.));
+    assert!(meets(std::slice::from_ref(&rod), 0.9) && !meets(&[rod], 1.1));
     let roomy = bounded(sphere(DVec3::ZERO, 2.), cube(-3. * DVec3::ONE, 3. * DVec3::ONE));
     assert!(geometry(&[roomy]).parts().leaves[0].limits.is_none());
 }

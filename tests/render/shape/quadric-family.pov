@@ -9,5 +9,5 @@ plane { y, -0.6 pigment { checker rgb 0.85 rgb <0.35, 0.20, 0.15> } }
 #declare Clip = box { -0.6, 0.6 }
 intersection { quadric { <2, 4, 3>, <0.5, 0, 0>, <0, 0, 0>, -1 } object { Clip } pigment { rgb <0.9, 0.4, 0.3> } translate <-1.8, 0.3, 0> }
 intersection { quadric { <4, -2, 4>, 0, 0, -0.4 } object { Clip } pigment { rgb <0.9, 0.8, 0.3> } translate <-0.6, 0.3, 0> }
-quadric { <2, 0, 2>, 0, <0, -1, 0>, 0 translate -0.2*y clipped_by { object { Clip } } pigment { rgb <0.3, 0.8, 0.4> } translate <0.6, 0.3, 0> }
+quadric { <2, 0, 2>, 0, <0, -1, 0>, 0 translate 0.1*y clipped_by { object { Clip } } pigment { rgb <0.3, 0.8, 0.4> } translate <0.6, 0.3, 0> }
 quadric { <1, 0, -1>, 0, <0, -1, 0>, 0 clipped_by { object { Clip } } pigment { rgb <0.3, 0.5, 0.9> } translate <1.8, 0.3, 0> }
