@@ -175,6 +175,7 @@ fn compile(primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> 
     match primitive {
         Shape::HeightField(field) => shape::height_field::height_field(field),
         Shape::Isosurface(surface) => shape::isosurface::isosurface(surface),
+        Shape::Text(text) => shape::text::text(text, object.span),
         _ => shape::shape(primitive).map_err(|keyword| Unsupported::new(object.span, format!("`{keyword}`"))),
     }
 }

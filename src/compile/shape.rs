@@ -3,6 +3,7 @@
 pub mod height_field;
 pub mod isosurface;
 mod outline;
+pub mod text;
 
 use std::sync::Arc;
 
@@ -62,9 +63,9 @@ impl From<Primitive> for Compiled {
 /// Compiles a geometry; the error is the keyword of one that povista can't render yet.
 ///
 /// What POV-Ray accepts and never hits (docs/spec/primitives.md 1.9) becomes an empty shape. Compound
-/// objects and lights are no primitives: they come back as errors too, and height fields and
-/// isosurfaces, whose images and functions may be broken, have functions of their own:
-/// [`height_field::height_field`], [`isosurface::isosurface`].
+/// objects and lights are no primitives: they come back as errors too, and height fields,
+/// isosurfaces and texts, whose images, functions and fonts may be broken, have functions of their own:
+/// [`height_field::height_field`], [`isosurface::isosurface`], [`text::text`].
 pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
     use scene::Shape as S;
     Ok(match shape {

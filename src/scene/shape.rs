@@ -334,6 +334,8 @@ pub struct Text {
     pub thickness: f64,
     /// Added to every advance.
     pub offset: DVec3,
+    /// Written in a Unicode `charset`, which decides what table of the font is asked first.
+    pub unicode: bool,
 }
 
 /// A font of a [`Text`].
@@ -341,8 +343,8 @@ pub struct Text {
 pub enum Font {
     /// `ttf "file"`: the name as written and where it was found.
     File(String, std::path::PathBuf),
-    /// `internal n`.
-    Internal(u32),
+    /// `internal n`, and where POV-Ray's file of that font was found.
+    Internal(u32, Option<std::path::PathBuf>),
 }
 
 /// A `mesh` or `mesh2`, all triangles in one set of shared lists.

@@ -186,7 +186,7 @@ fn sphere_sweep(s: &SphereSweep) -> Block {
 fn text(t: &Text) -> Block {
     let font = match &t.font {
         Font::File(name, _) => format!("ttf {name:?}"),
-        Font::Internal(number) => format!("internal {number}"),
+        Font::Internal(number, _) => format!("internal {number}"),
     };
     Block::new("text").line(font).line(format!("{:?}", String::from_utf16_lossy(&t.text))).line(format!(
         "{}, {}",

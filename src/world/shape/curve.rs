@@ -44,6 +44,11 @@ impl Segment {
         Self::new([b, 0.5 * (c - a), square, cube], c)
     }
 
+    /// From `a` to `c`, with the control point `b`.
+    pub fn parabola(a: DVec2, b: DVec2, c: DVec2) -> Self {
+        Self::new([a, 2.0 * (b - a), a - 2.0 * b + c, DVec2::ZERO], c)
+    }
+
     /// From `a` to `d`, with the control points `b` and `c`.
     pub fn bezier(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> Self {
         let segment = Self::new([a, 3.0 * (b - a), 3.0 * (a - 2.0 * b + c), d - a + 3.0 * (b - c)], d);
@@ -169,6 +174,7 @@ mod tests {
             (Segment::linear(a, b), a, b),
             (Segment::quadratic(a, b, c), b, c),
             (Segment::cubic(a, b, c, d), b, c),
+            (Segment::parabola(a, b, c), a, c),
             (Segment::bezier(a, b, c, d), a, d),
         ] {
             assert_eq!((segment.point(0.0), segment.point(1.0)), (start, end));

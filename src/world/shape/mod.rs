@@ -25,6 +25,7 @@ pub mod sphere;
 pub mod sphere_sweep;
 pub mod stretch;
 pub mod superellipsoid;
+pub mod text;
 pub mod torus;
 pub mod triangle;
 

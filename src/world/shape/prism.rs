@@ -31,6 +31,11 @@ fn flat(p: DVec3) -> DVec2 {
 }
 
 impl Prism {
+    /// How many parts the surface has.
+    pub(super) fn parts(&self) -> u32 {
+        ENDS + self.outline.segments().len() as u32
+    }
+
     /// Where `p` is in the outline's plane.
     fn place(&self, p: DVec3) -> DVec2 {
         if self.conic { flat(p) / p.y } else { flat(p) }

@@ -1,0 +1,146 @@
+//! `text` (docs/spec/primitives.md 6.5).
+
+use super::r#box::Cuboid;
+use super::curve::Curve;
+use super::prism::Prism;
+use super::{Crossing, Shape};
+use crate::math::{Bounds, DVec2, DVec3};
+use crate::world::{Range, Ray};
+
+/// Glyphs in a row: [`Prism`]s, so that writing is in the plane of x and z and depth along y.
+///
+/// Parts: those of every glyph's prism, one glyph after another.
+#[derive(Clone, Debug)]
+pub struct Text {
+    glyphs: Vec<Glyph>,
+    bounds: Bounds,
+    extent: Bounds,
+}
+
+#[derive(Clone, Debug)]
+struct Glyph {
+    /// The number of its first part among the text's.
+    first: u32,
+    /// A little more than the prism.
+    around: Cuboid,
+    prism: Prism,
+}
+
+/// How much more, as a share of the box's farthest coordinate: many times what rounding takes.
+const ROOM: f64 = 1e-13;
+
+impl Text {
+    /// Of outlines, from y = 0 to `depth`, and the box that POV-Ray reports; `None` without outlines.
+    pub fn new(outlines: Vec<Curve>, depth: f64, extent: Bounds) -> Option<Self> {
+        let mut first = 0;
+        let mut bounds = Bounds::EMPTY;
+        let mut glyphs = Vec::with_capacity(outlines.len());
+        for outline in outlines {
+            let heights = [depth.min(0.0), depth.max(0.0)];
+            let prism = Prism { outline, heights, conic: false, open: false };
+            let own = prism.bounds();
+            bounds = bounds.union(own);
+            let room = DVec3::splat(ROOM * own.min.abs().max(own.max.abs()).max_element());
+            let around = Cuboid { min: own.min - room, max: own.max + room };
+            let parts = prism.parts();
+            glyphs.push(Glyph { first, around, prism });
+            first += parts;
+        }
+        (!glyphs.is_empty()).then_some(Self { glyphs, bounds, extent })
+    }
+
+    /// The glyph that has a crossing, and the crossing as the glyph's prism numbers it.
+    fn glyph(&self, crossing: &Crossing) -> (&Prism, Crossing) {
+        let after = self.glyphs.partition_point(|glyph| glyph.first <= crossing.part);
+        let glyph = &self.glyphs[after - 1];
+        (&glyph.prism, Crossing { part: crossing.part - glyph.first, ..*crossing })
+    }
+}
+
+impl Shape for Text {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn extent(&self) -> Bounds {
+        self.extent
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        let from = out.len();
+        for glyph in &self.glyphs {
+            let met = glyph.around.stretch(ray);
+            if met.is_none_or(|met| met.leave.t <= range.min || met.enter.t >= range.max) {
+                continue;
+            }
+            let start = out.len();
+            glyph.prism.crossings(ray, range, out);
+            for crossing in &mut out[start..] {
+                crossing.part += glyph.first;
+            }
+        }
+        out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
+    }
+
+    /// With both faces, other than a prism.
+    fn inside(&self, point: DVec3) -> bool {
+        self.glyphs.iter().any(|glyph| {
+            let [low, high] = glyph.prism.heights;
+            low <= point.y && point.y <= high && glyph.prism.outline.encloses(DVec2::new(point.x, point.z))
+        })
+    }
+
+    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        let (prism, crossing) = self.glyph(crossing);
+        prism.normal(point, &crossing)
+    }
+
+    fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        let (prism, crossing) = self.glyph(crossing);
+        prism.reproject(point, &crossing)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::battery::{battery, table};
+    use super::super::curve::Segment;
+    use super::*;
+
+    /// A ring of parabolas, and a triangle to its right.
+    fn letters(size: f64, at: DVec3) -> Text {
+        let p = |x: f64, z: f64| DVec2::new(at.x + size * x, at.z + size * z);
+        let round = |r: f64| {
+            let ends = [p(r, 0.0), p(0.0, r), p(-r, 0.0), p(0.0, -r), p(r, 0.0)];
+            let controls = [p(r, r), p(-r, r), p(-r, -r), p(r, -r)];
+            (0..4).map(move |i| Segment::parabola(ends[i], controls[i], ends[i + 1])).collect::<Vec<_>>()
+        };
+        let corners = [p(1.0, -0.5), p(1.8, -0.5), p(1.3, 0.7), p(1.0, -0.5)];
+        let triangle = corners.windows(2).map(|c| Segment::linear(c[0], c[1])).collect();
+        let ring = [round(0.8), round(0.4)].concat();
+        Text::new(vec![Curve::new(ring), Curve::new(triangle)], 0.3 * size, Bounds::EMPTY).unwrap()
+    }
+
+    battery! {
+        written: |size| letters(size, DVec3::ZERO);
+        far_away: |size, at| letters(size, DVec3::new(at.x, 0.0, at.z));
+    }
+
+    #[test]
+    fn glyphs_are_solids_with_holes() {
+        table(
+            &letters(1.0, DVec3::ZERO),
+            "from <0,-5,0> dir <0,1,0> | miss
+            from <0.6,-5,0> dir <0,1,0> | P <0.6, 0, 0> N <0, -1, 0>
+            from <0.6,5,0> dir <0,-1,0> | P <0.6, 0.3, 0> N <0, 1, 0>
+            from <1.4,5,0> dir <0,-1,0> | P <1.4, 0.3, 0> N <0, 1, 0>
+            from <0,0.1,0> dir <1,0,0> | P <0.4, 0.1, 0> N <1, 0, 0>
+            from <0.9,0.1,-0.4> dir <1,0,0> | P <1.041666666666667, 0.1, -0.4> N <0.970142500145332, 0, -0.242535625036333>
+            inside <0.6,0,0> | 1
+            inside <0.6,0.3,0> | 1
+            inside <0.6,0.31,0> | 0
+            inside <0,0.1,0> | 0
+            inside <1.3,0.1,0> | 1",
+        );
+    }
+}
