@@ -74,8 +74,8 @@ fn write(face: &Face<'_>, text: &scene::Text) -> Option<Text> {
         if let Some(outline) = outline {
             let place = |p: DVec2| pen + (p + DVec2::X * before) / em;
             let depth = [text.thickness.min(0.0) - ROOM, text.thickness.max(0.0) + ROOM];
-            // POV-Ray's box is as wide as the glyph is with the space to its left.
-            let wide = [outline.bounds[0], outline.bounds[1] + DVec2::X * outline.bounds[0].x];
+            // POV-Ray's box is wider by the space to the left.
+            let wide = [outline.bounds[0], outline.bounds[1] + DVec2::X * bearing];
             let corners = wide.map(place);
             let corner = |i: usize| DVec3::new(corners[i].x, depth[i], corners[i].y);
             extent = extent.union(Bounds { min: corner(0), max: corner(1) });
