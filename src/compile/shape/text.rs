@@ -74,7 +74,8 @@ fn write(face: &Face<'_>, text: &scene::Text) -> Option<Text> {
         if let Some(outline) = outline {
             let place = |p: DVec2| pen + (p + DVec2::X * before) / em;
             let depth = [text.thickness.min(0.0) - ROOM, text.thickness.max(0.0) + ROOM];
-            // POV-Ray's box is wider by the space to the left.
+            // POV-Ray's box is wider by the space to the left in timrom and cyrvetic, but not in crystal
+            // and povlogo; what decides is not known (docs/spec/primitives.md 6.5).
             let wide = [outline.bounds[0], outline.bounds[1] + DVec2::X * bearing];
             let corners = wide.map(place);
             let corner = |i: usize| DVec3::new(corners[i].x, depth[i], corners[i].y);
