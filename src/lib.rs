@@ -30,7 +30,7 @@
 //! let mut sink = diag::Collect::default();
 //! let scene = interp::interpret(main, &mut sources, &options::LanguageOptions::default(), &mut sink)
 //!     .expect("this scene has no errors");
-//! let options = options::RenderOptions { width: 32, height: 24, ..Default::default() };
+//! let options = options::RenderOptions::new(32, 24);
 //! let compiled = compile::compile(scene, &options);
 //! let rendered = render::render(&compiled.world, &options, &());
 //! let [red, green, blue, _] = rendered.image.pixels[32 * 12 + 16];
