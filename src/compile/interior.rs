@@ -28,16 +28,16 @@ pub fn interior(
     }
     let old = legacy.copied().unwrap_or_default();
     let ior = interior.ior.or(old.ior).filter(|&ior| ior != 0.0);
-    let distance = old.fade_distance.unwrap_or(interior.fade_distance);
+    let distance = interior.fade_distance;
     Interior {
         ior: ior.map_or(AIR, f64::from),
         // Dispersion needs an index to disperse.
         dispersion: ior.map_or(1.0, |_| f64::from(interior.dispersion)),
         dispersion_samples: interior.dispersion_samples,
         caustics: old.caustics.unwrap_or(interior.caustics * CAUSTICS),
-        fade: (distance.abs() > 1e-10).then(|| Fade {
+        fade: (distance.abs() > 1e-10).then_some(Fade {
             distance,
-            power: old.fade_power.unwrap_or(interior.fade_power),
+            power: interior.fade_power,
             color: interior.fade_color,
         }),
         refraction: old.refraction.unwrap_or(1.0),

@@ -219,7 +219,7 @@ pub(super) fn legacy(texture: &Texture) -> Option<&LegacyFinish> {
     let TextureBody::Layered(layers) = &*texture.body else {
         return None;
     };
-    layers.iter().rev().map(|layer| &layer.finish.legacy).find(|&legacy| *legacy != LegacyFinish::default())
+    layers.iter().rev().map(|layer| &layer.finish.legacy).find(|legacy| legacy.is_set())
 }
 
 /// A slightly larger box, so that points rounded onto the surface are never outside of it.

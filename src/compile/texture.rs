@@ -202,7 +202,6 @@ impl<'a> TextureCompiler<'a> {
 fn finish(finish: &scene::Finish) -> world::texture::Finish {
     let reflection = &finish.reflection;
     let mirrors = reflection.min != Rgb::ZERO || reflection.max != Rgb::ZERO;
-    let legacy = &finish.legacy;
     world::texture::Finish {
         ambient: finish.ambient,
         emission: finish.emission,
@@ -234,12 +233,5 @@ fn finish(finish: &scene::Finish) -> world::texture::Finish {
             translucency: subsurface.translucency,
             anisotropy: subsurface.anisotropy,
         }),
-        legacy: world::texture::LegacyFinish {
-            ior: legacy.ior,
-            refraction: legacy.refraction,
-            caustics: legacy.caustics,
-            fade_distance: legacy.fade_distance,
-            fade_power: legacy.fade_power,
-        },
     }
 }

@@ -180,8 +180,6 @@ pub struct LegacyFinish {
     pub ior: Option<f32>,
     pub refraction: Option<f32>,
     pub caustics: Option<f32>,
-    pub fade_distance: Option<f32>,
-    pub fade_power: Option<f32>,
 }
 
 impl LegacyFinish {

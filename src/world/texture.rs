@@ -7,7 +7,7 @@ pub mod normal;
 pub mod pigment;
 
 pub use blend_map::{BlendMap, Pick};
-pub use finish::{Finish, Irid, LegacyFinish, Reflection, Subsurface};
+pub use finish::{Finish, Irid, Reflection, Subsurface};
 pub use normal::{Normal, NormalKind};
 pub use pigment::Pigment;
 

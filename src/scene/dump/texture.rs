@@ -169,8 +169,6 @@ fn legacy(block: Block, legacy: &LegacyFinish) -> Block {
         .optional("ior", legacy.ior.map(number))
         .optional("refraction", legacy.refraction.map(number))
         .optional("caustics", legacy.caustics.map(number))
-        .optional("fade_distance", legacy.fade_distance.map(number))
-        .optional("fade_power", legacy.fade_power.map(number))
 }
 
 /// `turbulence` and its settings.

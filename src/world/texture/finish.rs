@@ -37,8 +37,6 @@ pub struct Finish {
     pub irid: Option<Irid>,
     /// Light that wanders under the surface.
     pub subsurface: Option<Subsurface>,
-    /// Interior settings written in the finish.
-    pub legacy: LegacyFinish,
 }
 
 /// The mirror of a finish.
@@ -73,15 +71,4 @@ pub struct Irid {
 pub struct Subsurface {
     pub translucency: Rgb,
     pub anisotropy: Rgb,
-}
-
-/// Interior settings that old scenes write in the finish.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-#[expect(missing_docs, reason = "the language's own words")]
-pub struct LegacyFinish {
-    pub ior: Option<f32>,
-    pub refraction: Option<f32>,
-    pub caustics: Option<f32>,
-    pub fade_distance: Option<f32>,
-    pub fade_power: Option<f32>,
 }
