@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::Unsupported;
 use super::texture::TextureCompiler;
-use crate::math::DVec3;
 use crate::math::noise::Octaves;
+use crate::math::{DVec3, Transform};
 use crate::scene::pattern::{Field, Pattern};
 use crate::scene::pigment::PigmentKind;
 use crate::scene::{self, Scene};
@@ -15,7 +15,7 @@ use crate::world::atmosphere::{Atmosphere, Fog, Rainbow, SkySphere};
 /// Distances nearer to zero than this make no fog.
 const NONE: f64 = 1e-10;
 
-/// The sky, fogs and rainbows of a scene. What can't be compiled goes to `lacking`.
+/// The sky, fogs, rainbows and media of a scene. What can't be compiled goes to `lacking`.
 pub fn atmosphere(
     scene: &Scene,
     textures: &mut TextureCompiler,
@@ -30,10 +30,15 @@ pub fn atmosphere(
     let rainbows = scene.rainbows.iter().filter_map(|bow| {
         rainbow(bow, textures).map_err(|unsupported| lacking.push(unsupported)).ok().flatten()
     });
+    let rainbows = rainbows.collect();
+    let media = scene.atmosphere.iter().filter_map(|media| {
+        textures.media(media, &Transform::IDENTITY).map_err(|unsupported| lacking.push(unsupported)).ok()
+    });
     Atmosphere {
+        media: media.collect(),
         background: scene.background,
         sky_sphere,
-        rainbows: rainbows.collect(),
+        rainbows,
         fogs: fogs.map(|written| fog(written, noise_generator)).collect(),
     }
 }

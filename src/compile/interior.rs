@@ -1,6 +1,8 @@
 //! Compiles interiors.
 
 use super::Unsupported;
+use super::texture::TextureCompiler;
+use crate::math::Transform;
 use crate::scene;
 use crate::scene::texture::LegacyFinish;
 use crate::world::Interior;
@@ -14,18 +16,22 @@ const CAUSTICS: f32 = 45.0;
 /// `legacy` is what a plain texture's finish says about the interior, as old scenes do; its
 /// caustics and refraction replace those of the interior (docs/spec/shading.md 12 and 21).
 ///
-/// Media goes to `lacking`.
+/// `outer` leads from the space where media were written to the world; those that can't be compiled
+/// go to `lacking`.
 pub fn interior(
     interior: Option<&scene::Interior>,
     legacy: Option<&LegacyFinish>,
     hollow: bool,
+    outer: &Transform,
+    textures: &mut TextureCompiler,
     lacking: &mut Vec<Unsupported>,
 ) -> Interior {
     let default = scene::Interior::default();
     let interior = interior.unwrap_or(&default);
-    if let Some(media) = interior.media.first() {
-        lacking.push(Unsupported::new(media.span, "media"));
-    }
+    let media = interior.media.iter().filter_map(|media| {
+        textures.media(media, outer).map_err(|unsupported| lacking.push(unsupported)).ok()
+    });
+    let media = media.collect();
     let old = legacy.copied().unwrap_or_default();
     let ior = interior.ior.or(old.ior).filter(|&ior| ior != 0.0);
     let distance = interior.fade_distance;
@@ -41,6 +47,7 @@ pub fn interior(
             color: interior.fade_color,
         }),
         refraction: old.refraction.unwrap_or(1.0),
+        media,
         hollow,
     }
 }

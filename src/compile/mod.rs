@@ -10,6 +10,7 @@ pub mod function;
 pub mod image;
 pub mod interior;
 pub mod light;
+pub mod media;
 mod needs;
 pub mod normal;
 mod object;

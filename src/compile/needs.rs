@@ -4,8 +4,8 @@
 
 use super::flatten::Flat;
 use super::texture::TextureCompiler;
-use crate::world::Needs;
 use crate::world::object::LeafFlags;
+use crate::world::{Interior, Needs};
 
 /// Which of a list are in use, and their numbers after the others are left out.
 #[derive(Debug)]
@@ -53,7 +53,10 @@ pub(super) fn interiors(flat: &Flat) -> Used {
 }
 
 /// What compiled surfaces ask for.
-pub(super) fn needs(flat: &Flat, textures: &TextureCompiler) -> Needs {
+pub(super) fn needs(flat: &Flat, textures: &TextureCompiler, interiors: &[Interior]) -> Needs {
     let mapped = flat.parts.leaves.iter().any(|leaf| leaf.flags.contains(LeafFlags::UV_MAPPING));
-    Needs { uv: mapped || textures.uses_uv() }
+    Needs {
+        uv: mapped || textures.uses_uv(),
+        media: interiors.iter().any(|interior| !interior.media.is_empty()),
+    }
 }

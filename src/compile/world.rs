@@ -40,13 +40,13 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
         .with_objects(&inside_of);
     let camera = camera::camera(&scene.camera, &mut textures, &mut lacking);
     let atmosphere = atmosphere::atmosphere(&scene, &mut textures, &mut lacking);
-    let interiors = interiors(&mut flat, &mut lacking);
+    let interiors = interiors(&mut flat, &mut textures, &mut lacking);
     let surfaces = surfaces(&mut flat, &mut textures, &mut lacking);
     // Without the setting a finish with `subsurface` is shaded as any other.
     if scene.settings.subsurface.is_some() && textures.uses_subsurface && options.quality >= 9 {
         lacking.push(Unsupported::new(scene.camera.span, "subsurface"));
     }
-    let needs = needs::needs(&flat, &textures);
+    let needs = needs::needs(&flat, &textures, &interiors);
     let lights =
         flat.lights.iter().map(|used| light::light(&used.light, &used.transform, used.projected_through));
     let lights = lights.collect();
@@ -73,9 +73,6 @@ fn lack_of_settings(scene: &Scene, lacking: &mut Vec<Unsupported>) {
     }
     if scene.settings.photons.is_some() {
         lacking.push(Unsupported::new(place, "photons"));
-    }
-    if let Some(media) = scene.atmosphere.first() {
-        lacking.push(Unsupported::new(media.span, "media"));
     }
 }
 
@@ -116,12 +113,17 @@ fn surfaces(flat: &mut Flat, textures: &mut TextureCompiler, lacking: &mut Vec<U
 }
 
 /// The interiors in use, which leaves and objects then number.
-fn interiors(flat: &mut Flat, lacking: &mut Vec<Unsupported>) -> Vec<Interior> {
+fn interiors(
+    flat: &mut Flat,
+    textures: &mut TextureCompiler,
+    lacking: &mut Vec<Unsupported>,
+) -> Vec<Interior> {
     let used = needs::interiors(flat);
     let compile = |wanted: &InteriorUse| {
         let texture = wanted.texture.map(|number| &flat.textures[number as usize].texture);
         let legacy = texture.and_then(legacy);
-        interior::interior(wanted.interior.as_deref(), legacy, wanted.hollow, lacking)
+        let outer = wanted.outer.as_deref().unwrap_or(&Transform::IDENTITY);
+        interior::interior(wanted.interior.as_deref(), legacy, wanted.hollow, outer, textures, lacking)
     };
     let compiled = used.only(&flat.interiors).map(compile).collect();
     for leaf in &mut flat.parts.leaves {

@@ -2,6 +2,7 @@
 
 pub mod bounds;
 pub mod color;
+pub mod confidence;
 pub mod gamma;
 pub mod noise;
 pub mod roots;

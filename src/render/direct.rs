@@ -81,7 +81,7 @@ impl Tracer<'_> {
         let unblocked = match unblocked {
             Some(known) => known,
             None => {
-                let found = self.unblocked(at, light, &incident);
+                let found = self.unblocked(&at.target(), light, &incident);
                 self.arrivals[index].unblocked = Some(found);
                 found
             }

@@ -1,11 +1,13 @@
 //! From a compiled scene to a picture.
 
+mod air;
 mod direct;
 mod dispersion;
 pub mod film;
 mod finish;
 mod jitter;
 mod lens;
+mod media;
 mod mirror;
 mod quality;
 mod random;

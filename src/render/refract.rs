@@ -42,6 +42,16 @@ impl Inside {
         self.0.contains(&interior)
     }
 
+    /// Whether there is nothing around but air.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The interiors by number, in the order of entry.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = u32> {
+        self.0.iter().copied()
+    }
+
     /// What was entered last.
     pub(super) fn last(&self) -> Option<u32> {
         self.0.last().copied()

@@ -7,6 +7,7 @@ use super::dispersion::{self, Band};
 use super::finish::{Surface, iridescence};
 use super::mirror::{self, Reflectivity};
 use super::refract::{self, Inside, Passage};
+use super::shadow::Target;
 use super::textures;
 use super::trace::{Path, Seen, Tracer};
 use crate::math::color::grey;
@@ -32,6 +33,13 @@ pub(super) struct At<'a> {
     passage: Option<Passage>,
     /// The lamps' light, by index into the tracer's list; `None` until a layer asks.
     pub(super) arrivals: Option<Span<usize>>,
+}
+
+impl At<'_> {
+    /// What lamps shine on.
+    pub(super) fn target(&self) -> Target<'_> {
+        Target { surface: self.surface, inside: &self.path.inside }
+    }
 }
 
 /// What a ray sees of a surface, and where it goes on straight.

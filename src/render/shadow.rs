@@ -1,16 +1,23 @@
 //! What of a lamp's light comes through to a surface (docs/spec/shading.md 15 and 17).
 
 use super::refract::Inside;
-use super::shade::At;
 use super::textures;
 use super::trace::Tracer;
 use crate::math::{DVec2, DVec3, Rgb};
 use crate::world::hit::Hit;
 use crate::world::light::{AreaLight, Incident, is_dark};
-use crate::world::{Light, Range, Ray};
+use crate::world::{Intersection, Light, Range, Ray};
 
 /// Difference between corners of an area light's grid above which the part between is refined.
 const UNEVEN: f32 = 0.1;
+
+/// What lamps shine on: a surface, or a point in media.
+#[derive(Clone, Copy)]
+pub(super) struct Target<'a> {
+    pub(super) surface: Intersection,
+    /// What is around it.
+    pub(super) inside: &'a Inside,
+}
 
 /// A rectangle of an area light's grid, by the indices of its corners.
 #[derive(Clone, Copy)]
@@ -29,7 +36,7 @@ struct Grid<'a> {
 
 impl Tracer<'_> {
     /// The light that arrives from `light`, given what would arrive if nothing were in the way.
-    pub(super) fn unblocked(&mut self, at: &At, light: &Light, incident: &Incident) -> Rgb {
+    pub(super) fn unblocked(&mut self, at: &Target, light: &Light, incident: &Incident) -> Rgb {
         if !self.quality.shadows || (light.shadowless && light.projected_through.is_none()) {
             self.statistics.lights_shadowless += 1;
             return incident.color;
@@ -48,7 +55,7 @@ impl Tracer<'_> {
     }
 
     /// The mean light from a part of an area light.
-    fn part(&mut self, at: &At, grid: &Grid, part: Part, level: u32) -> Rgb {
+    fn part(&mut self, at: &Target, grid: &Grid, part: Part, level: u32) -> Rgb {
         let Part { u, v } = part;
         let corners =
             [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])].map(|place| self.place(at, grid, place));
@@ -67,7 +74,7 @@ impl Tracer<'_> {
     }
 
     /// The light from one place of the grid, traced once for each hit.
-    fn place(&mut self, at: &At, grid: &Grid, (u, v): (u32, u32)) -> Rgb {
+    fn place(&mut self, at: &Target, grid: &Grid, (u, v): (u32, u32)) -> Rgb {
         let index = (v * grid.area.size[0] + u) as usize;
         if let Some(known) = self.grid[index] {
             return known;
@@ -86,7 +93,7 @@ impl Tracer<'_> {
     }
 
     /// Follows a straight ray towards a light.
-    fn shadow_ray(&mut self, at: &At, light: &Light, incident: &Incident) -> Rgb {
+    fn shadow_ray(&mut self, at: &Target, light: &Light, incident: &Incident) -> Rgb {
         let ray = Ray::new(at.surface.leave(incident.direction), incident.direction);
         let mut range = Range { min: 0.0, max: incident.distance - at.surface.error };
         if let Some(object) = light.projected_through {
@@ -112,45 +119,44 @@ impl Tracer<'_> {
     /// Light after the transparent surfaces in its way and the air between them.
     fn filtered(
         &mut self,
-        at: &At,
+        at: &Target,
         light: &Light,
         mut color: Rgb,
         ray: &Ray,
         distance: f64,
         occluders: &[Hit],
     ) -> Rgb {
-        let foggy = self.quality.atmosphere
+        let airy = self.quality.atmosphere
             && light.media_attenuation
             && light.media_interaction
             && !self.world.atmosphere.is_clear();
-        if occluders.is_empty() && !foggy {
+        if occluders.is_empty() && !airy {
             return color;
         }
-        let mut inside = at.path.inside.clone();
+        let mut inside = at.inside.clone();
         let mut start = 0.0;
         for hit in occluders {
+            let piece = Ray::new(ray.at(start), ray.direction);
             let length = hit.t - start;
             color *= self.surface_filter(ray, hit, length, &inside);
             if is_dark(color) {
                 return Rgb::ZERO;
             }
-            if foggy {
-                color *= self.air(&inside, ray, start, length);
+            let hollow = inside.is_hollow(&self.world.interiors);
+            if hollow {
+                color *= self.filling_shadow(&piece, length, &inside);
+            }
+            if airy {
+                color *= self.air_shadow(&piece, length, &inside, hollow);
             }
             inside.toggle(self.world.geometry.parts().leaf(hit.leaf).interior);
             start = hit.t;
         }
-        if foggy { color * self.air(&inside, ray, start, distance - start) } else { color }
-    }
-
-    /// What fog leaves of light over a stretch of a shadow ray.
-    fn air(&self, inside: &Inside, ray: &Ray, start: f64, length: f64) -> Rgb {
-        if inside.is_hollow(&self.world.interiors) {
-            let ray = Ray::new(ray.at(start), ray.direction);
-            self.world.atmosphere.fog_factor(&ray, length)
-        } else {
-            Rgb::ONE
+        if airy && inside.is_hollow(&self.world.interiors) {
+            let piece = Ray::new(ray.at(start), ray.direction);
+            color *= self.air_shadow(&piece, distance - start, &inside, true);
         }
+        color
     }
 
     /// What a transparent surface lets through, after `length` of the way to it.

@@ -54,6 +54,10 @@ counters! {
     lights_dark: "lights out of reach",
     /// Lights that needed no shadow ray.
     lights_shadowless: "shadowless lights",
+    /// Stretches of rays through media.
+    media_stretches: "stretches through media",
+    /// Places where media were asked for their densities.
+    media_samples: "samples of media",
     /// Sky lookups.
     sky_evaluations: "sky evaluations",
 }

@@ -7,7 +7,7 @@ use super::refract::Inside;
 use super::shade::Mirror;
 use super::stats::Statistics;
 use crate::math::Rgb;
-use crate::world::atmosphere::{Alpha, FAR, Veil};
+use crate::world::atmosphere::Alpha;
 use crate::world::hit::Hit;
 use crate::world::{Range, Ray, RayKind, World};
 
@@ -89,7 +89,7 @@ impl<'w> Tracer<'w> {
         path.level += 1;
         loop {
             let hit = self.world.geometry.hit(&path.ray, Range::AHEAD, path.kind);
-            let veil = self.veil(&path, hit.map_or(FAR, |hit| hit.t));
+            let veil = self.air(&path, hit.as_ref());
             color += left * veil.added;
             left *= veil.factor;
             clear *= veil.transmit;
@@ -123,14 +123,6 @@ impl<'w> Tracer<'w> {
         self.statistics.too_deep += u64::from(deep);
         self.statistics.bailed_out += u64::from(faint && !deep);
         !deep && !faint
-    }
-
-    /// Fog and rainbows over a stretch of a ray.
-    fn veil(&mut self, path: &Path, distance: f64) -> Veil {
-        let atmosphere = &self.world.atmosphere;
-        let applies =
-            self.quality.atmosphere && !atmosphere.is_clear() && path.inside.is_hollow(&self.world.interiors);
-        if applies { atmosphere.veil(&path.ray, distance, &mut || self.random.next()) } else { Veil::NONE }
     }
 
     fn sky(&mut self, path: &Path) -> Seen {

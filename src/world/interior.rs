@@ -1,5 +1,6 @@
 //! What objects are filled with, as far as light cares (docs/spec/shading.md 11 and 12).
 
+use super::media::Media;
 use crate::math::Rgb;
 
 /// The refractive index around all objects.
@@ -23,6 +24,8 @@ pub struct Interior {
     pub refraction: f32,
     /// How light fades inside.
     pub fade: Option<Fade>,
+    /// What dims, glows and scatters inside.
+    pub media: Vec<Media>,
     /// Whether its object is `hollow`: fog goes on inside.
     pub hollow: bool,
 }
@@ -37,6 +40,7 @@ impl Default for Interior {
             caustics: 0.0,
             refraction: 1.0,
             fade: None,
+            media: Vec::new(),
             hollow: false,
         }
     }

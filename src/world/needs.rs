@@ -5,4 +5,6 @@
 pub struct Needs {
     /// Texture coordinates.
     pub uv: bool,
+    /// Media inside objects.
+    pub media: bool,
 }

@@ -21,6 +21,12 @@ pub struct Intersection {
 }
 
 impl Intersection {
+    /// A point in space, where media are lit: rays leave it in all directions.
+    pub fn in_space(point: DVec3) -> Self {
+        let error = ROUNDING * point.abs().max_element();
+        Self { point, error, normal: DVec3::ZERO, geometric: DVec3::ZERO, inside: false }
+    }
+
     /// Where a ray in `direction` starts that leaves the surface here.
     pub fn leave(&self, direction: DVec3) -> DVec3 {
         let outward = if direction.dot(self.geometric) < 0.0 { -self.geometric } else { self.geometric };

@@ -3,6 +3,7 @@
 mod camera;
 mod cost;
 mod environment;
+mod media;
 mod quality;
 mod shading;
 mod table;

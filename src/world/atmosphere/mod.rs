@@ -1,4 +1,4 @@
-//! What surrounds the objects: sky, fog, rainbows (docs/spec/atmosphere-gi.md 1).
+//! What surrounds the objects: sky, fog, rainbows, media (docs/spec/atmosphere-gi.md 1).
 
 pub mod fog;
 pub mod rainbow;
@@ -8,7 +8,7 @@ pub use fog::Fog;
 pub use rainbow::Rainbow;
 pub use sky_sphere::SkySphere;
 
-use super::Ray;
+use super::{Media, Ray};
 use crate::math::color::grey;
 use crate::math::{DVec3, Rgb, Rgbft};
 
@@ -26,6 +26,8 @@ pub struct Atmosphere {
     pub fogs: Vec<Fog>,
     /// All rainbows.
     pub rainbows: Vec<Rainbow>,
+    /// Media in the air.
+    pub media: Vec<Media>,
 }
 
 /// What a stretch of a ray does to the light that comes along it: `added + factor * light`.
@@ -42,6 +44,16 @@ pub struct Veil {
 impl Veil {
     /// Clear air.
     pub const NONE: Self = Self { added: Rgb::ZERO, factor: Rgb::ONE, transmit: 1.0 };
+
+    /// Both, this one behind `front`.
+    #[must_use]
+    pub fn behind(self, front: Self) -> Self {
+        Self {
+            added: front.added + front.factor * self.added,
+            factor: front.factor * self.factor,
+            transmit: front.transmit * self.transmit,
+        }
+    }
 }
 
 /// Whether the picture has an alpha channel.
@@ -89,26 +101,19 @@ impl Atmosphere {
         Sky { color, transmit: grey(through).abs().min(1.0) }
     }
 
-    /// What rainbows and fog do to light that comes `distance` along the ray.
+    /// What rainbows do to light that comes `distance` along the ray.
     /// `random` gives numbers uniform in 0 … 1.
-    pub fn veil(&self, ray: &Ray, distance: f64, random: &mut dyn FnMut() -> f64) -> Veil {
-        let bow = rainbow::veil(&self.rainbows, ray, distance, random);
-        let fog = fog::veil(&self.fogs, ray, distance);
-        // Fog lies before the rainbow.
-        Veil {
-            added: fog.added + fog.factor * bow.added,
-            factor: fog.factor * bow.factor,
-            transmit: fog.transmit * bow.transmit,
-        }
+    pub fn rainbow(&self, ray: &Ray, distance: f64, random: &mut dyn FnMut() -> f64) -> Veil {
+        rainbow::veil(&self.rainbows, ray, distance, random)
     }
 
-    /// The share of a light's light that fog leaves over `distance` along a shadow ray.
-    pub fn fog_factor(&self, ray: &Ray, distance: f64) -> Rgb {
-        fog::veil(&self.fogs, ray, distance).factor
+    /// What fog does to light that comes `distance` along the ray.
+    pub fn fog(&self, ray: &Ray, distance: f64) -> Veil {
+        fog::veil(&self.fogs, ray, distance)
     }
 
     /// Whether the air is clear.
     pub fn is_clear(&self) -> bool {
-        self.fogs.is_empty() && self.rainbows.is_empty()
+        self.fogs.is_empty() && self.rainbows.is_empty() && self.media.is_empty()
     }
 }

@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::Frame;
 use crate::math::DVec2;
+use crate::math::confidence::thresholds;
 use crate::world::Ray;
 
 /// A lens and when enough rays went through it.
@@ -228,83 +229,9 @@ fn radical_inverse(mut n: u64, base: u64) -> f64 {
     value
 }
 
-/// For 1 … `most` rays the variance of their mean that is small enough: the fewer rays, the smaller
-/// (docs/spec/camera-image.md 8.4).
-fn thresholds(most: u32, confidence: f64, variance: f64) -> Vec<f64> {
-    if most <= 1 {
-        return vec![0.0];
-    }
-    let last = chi_square(f64::from(most - 1), confidence);
-    (1..=most).map(|count| variance * chi_square(f64::from(count), confidence) / last).collect()
-}
-
-/// The value that a chi-square variable exceeds with probability `confidence`, halved.
-fn chi_square(freedom: f64, confidence: f64) -> f64 {
-    let shape = freedom / 2.0;
-    let spread = 2.0 / (9.0 * freedom);
-    let mut x = shape * (1.0 - spread - normal_quantile(confidence) * spread.sqrt()).powi(3);
-    for _ in 0..10 {
-        if x <= 0.0 {
-            return 0.0;
-        }
-        let density = ((shape - 1.0) * x.ln() - x - ln_gamma(shape)).exp();
-        let step = (lower_gamma(shape, x) - (1.0 - confidence)) / density;
-        x -= step;
-        if step.abs() < 1e-10 * x.abs() {
-            break;
-        }
-    }
-    x.max(0.0)
-}
-
-/// The regularised lower incomplete gamma function, by its power series.
-fn lower_gamma(shape: f64, x: f64) -> f64 {
-    let mut term = 1.0 / shape;
-    let mut sum = term;
-    let mut n = shape;
-    while term > sum * 1e-15 {
-        n += 1.0;
-        term *= x / n;
-        sum += term;
-    }
-    sum * (shape * x.ln() - x - ln_gamma(shape)).exp()
-}
-
-/// The logarithm of the gamma function for positive `x`, by Stirling's series.
-fn ln_gamma(x: f64) -> f64 {
-    if x < 12.0 {
-        return ln_gamma(x + 1.0) - x.ln();
-    }
-    let series = 1.0 / (12.0 * x) - 1.0 / (360.0 * x.powi(3)) + 1.0 / (1260.0 * x.powi(5));
-    (x - 0.5) * x.ln() - x + 0.5 * TAU.ln() + series
-}
-
-/// The value a standard normal variable stays below with probability `p`, by bisection.
-fn normal_quantile(p: f64) -> f64 {
-    let below = |z: f64| {
-        let half = 0.5 * lower_gamma(0.5, z * z / 2.0);
-        if z < 0.0 { 0.5 - half } else { 0.5 + half }
-    };
-    let (mut low, mut high) = (-9.0, 9.0);
-    for _ in 0..60 {
-        let middle = (low + high) / 2.0;
-        if below(middle) < p { low = middle } else { high = middle }
-    }
-    (low + high) / 2.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn chi_square_quantiles_are_those_of_the_tables() {
-        // 90 % exceed: 0.01579 with 1, 4.865 with 10, 46.459 with 60 degrees of freedom.
-        for (freedom, expected) in [(1.0, 0.015_791), (10.0, 4.865_18), (60.0, 46.458_9)] {
-            let ours = 2.0 * chi_square(freedom, 0.9);
-            assert!((ours - expected).abs() < 1e-4 * expected, "{freedom}: {ours}");
-        }
-    }
 
     #[test]
     fn every_count_of_places_fits_the_lens() {

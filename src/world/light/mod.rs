@@ -2,6 +2,7 @@
 
 pub mod area_light;
 pub mod cylinder;
+pub mod reach;
 pub mod spotlight;
 
 pub use area_light::AreaLight;

@@ -19,6 +19,11 @@ impl Spotlight {
         Self { cos_radius: radius.to_radians().cos(), cos_falloff: falloff.to_radians().cos(), tightness }
     }
 
+    /// The cosine outside which there is no light.
+    pub(super) fn cos_falloff(&self) -> f64 {
+        self.cos_falloff
+    }
+
     /// The share of light at `cosine` to the axis.
     pub(super) fn attenuation(&self, cosine: f64) -> f64 {
         if cosine <= 0.0 {

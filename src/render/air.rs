@@ -1,0 +1,70 @@
+//! What lies between surfaces: media inside objects, rainbows, media of the air, fog
+//! (docs/spec/atmosphere-gi.md 1.2 and 1.8).
+
+use super::media::{Stretch, mix};
+use super::refract::Inside;
+use super::trace::{Path, Tracer};
+use crate::math::Rgb;
+use crate::world::Ray;
+use crate::world::atmosphere::{FAR, Veil};
+use crate::world::hit::Hit;
+
+/// The light set of the lamps that reach everything.
+const GLOBAL: usize = 0;
+
+impl Tracer<'_> {
+    /// What the air does to light that comes along a path from `hit`, or from the sky.
+    pub(super) fn air(&mut self, path: &Path, hit: Option<&Hit>) -> Veil {
+        let world = self.world;
+        let filled = world.needs.media && hit.is_some() && !path.inside.is_empty();
+        let clear = world.atmosphere.is_clear();
+        if !self.quality.atmosphere || (clear && !filled) || !path.inside.is_hollow(&world.interiors) {
+            return Veil::NONE;
+        }
+        let length = hit.map_or(FAR, |hit| hit.t);
+        let lights = hit.map_or(GLOBAL, |hit| world.geometry.parts().leaf(hit.leaf).lights as usize);
+        let lights = &world.light_sets[lights];
+        let mut veil = Veil::NONE;
+        if filled {
+            let media = mix(world, &path.inside);
+            if !media.is_empty() {
+                veil = self.media(&Stretch { ray: path.ray, length, inside: &path.inside, media, lights });
+            }
+        }
+        if clear {
+            return veil;
+        }
+        let atmosphere = &world.atmosphere;
+        veil = veil.behind(atmosphere.rainbow(&path.ray, length, &mut || self.random.next()));
+        if !atmosphere.media.is_empty() {
+            let media = atmosphere.media.iter().collect();
+            let air = Stretch { ray: path.ray, length, inside: &path.inside, media, lights };
+            veil = veil.behind(self.media(&air));
+        }
+        veil.behind(atmosphere.fog(&path.ray, length))
+    }
+
+    /// What media inside objects leave of a lamp's light on a piece of its way that ends on a surface.
+    pub(super) fn filling_shadow(&mut self, ray: &Ray, length: f64, inside: &Inside) -> Rgb {
+        let world = self.world;
+        if !world.needs.media || !self.quality.atmosphere || inside.is_empty() {
+            return Rgb::ONE;
+        }
+        let media = mix(world, inside);
+        if media.is_empty() {
+            return Rgb::ONE;
+        }
+        self.media_shadow(&Stretch { ray: *ray, length, inside, media, lights: &[] })
+    }
+
+    /// What the air leaves of a lamp's light; fog only around `hollow` objects.
+    pub(super) fn air_shadow(&mut self, ray: &Ray, length: f64, inside: &Inside, hollow: bool) -> Rgb {
+        let atmosphere = &self.world.atmosphere;
+        let fog = if hollow { atmosphere.fog(ray, length).factor } else { Rgb::ONE };
+        if atmosphere.media.is_empty() {
+            return fog;
+        }
+        let media = atmosphere.media.iter().collect();
+        fog * self.media_shadow(&Stretch { ray: *ray, length, inside, media, lights: &[] })
+    }
+}

@@ -1,0 +1,168 @@
+//! Media along a stretch of a ray (docs/spec/atmosphere-gi.md 2): what they add to the light from
+//! behind and what they leave of it.
+
+mod adaptive;
+mod intervals;
+mod sample;
+mod strata;
+
+use smallvec::SmallVec;
+
+use super::refract::Inside;
+use super::trace::Tracer;
+use crate::math::Rgb;
+use crate::math::color::grey;
+use crate::world::atmosphere::Veil;
+use crate::world::media::{Method, Sampling};
+use crate::world::{Media, Ray, World};
+use intervals::{Beam, Interval, intervals};
+use sample::Sample;
+
+/// When no more than this is left of the light from behind, what lies behind isn't looked at.
+const NOTHING: f32 = 1e-7;
+
+/// Media at one place: those of all interiors around it, or of the air.
+pub(super) type Mix<'w> = SmallVec<[&'w Media; 4]>;
+
+/// A stretch of a ray through the same media.
+#[derive(Debug)]
+pub(super) struct Stretch<'a> {
+    /// Starts where the stretch does; unit direction.
+    pub(super) ray: Ray,
+    /// Its length.
+    pub(super) length: f64,
+    /// What is around it.
+    pub(super) inside: &'a Inside,
+    /// At least one.
+    pub(super) media: Mix<'a>,
+    /// Numbers of the lamps that may light it.
+    pub(super) lights: &'a [u32],
+}
+
+/// A stretch being walked along.
+struct March<'s, 'w> {
+    stretch: &'s Stretch<'w>,
+    /// The rule of the medium with the most intervals.
+    rule: &'w Sampling,
+    /// The least `aa_threshold` of all.
+    threshold: f32,
+    beams: SmallVec<[Beam; 4]>,
+    /// Whether lamps make a difference.
+    scatters: bool,
+    /// What a unit does, where it is the same everywhere but for lamps.
+    uniform: Option<Sample>,
+}
+
+/// The media of all interiors around a ray.
+pub(super) fn mix<'w>(world: &'w World, inside: &Inside) -> Mix<'w> {
+    inside.numbers().flat_map(|number| &world.interiors[number as usize].media).collect()
+}
+
+impl Tracer<'_> {
+    /// What media do to the light that comes along a stretch.
+    pub(super) fn media(&mut self, stretch: &Stretch) -> Veil {
+        self.statistics.media_stretches += 1;
+        let scatters = stretch.media.iter().any(|media| media.scattering != Rgb::ZERO);
+        let glows = scatters || stretch.media.iter().any(|media| media.emission != Rgb::ZERO);
+        let march = March::new(stretch, scatters);
+        if let (Some(uniform), false) = (march.uniform, glows) {
+            return veil(Rgb::ZERO, transmittance(uniform.depth * stretch.length as f32));
+        }
+        let beams = self.beams(stretch);
+        let march = March { beams, ..march };
+        let (mut added, mut depth, mut left) = (Rgb::ZERO, Rgb::ZERO, Rgb::ONE);
+        for interval in intervals(march.rule, &march.beams, stretch.length) {
+            let seen = match march.uniform {
+                Some(unit) if !(scatters && interval.lit) => self.uniform(&march, &interval, unit),
+                _ => self.interval(&march, &interval),
+            };
+            added += left * seen.source;
+            depth += seen.depth;
+            left = transmittance(depth);
+            if left.max_element() < NOTHING {
+                left = Rgb::ZERO;
+                break;
+            }
+        }
+        veil(added, left)
+    }
+
+    /// What media leave of a lamp's light on a stretch of its way (docs/spec/atmosphere-gi.md 2.10).
+    pub(super) fn media_shadow(&mut self, stretch: &Stretch) -> Rgb {
+        if !stretch.media.iter().any(|media| media.dims()) {
+            return Rgb::ONE;
+        }
+        let march = March::new(stretch, false);
+        if let Some(uniform) = march.uniform {
+            return transmittance(uniform.depth * stretch.length as f32);
+        }
+        let intervals = intervals(march.rule, &[], stretch.length);
+        let depth = intervals.iter().map(|interval| match march.rule.method {
+            Method::Adaptive { .. } => self.adaptive_depth(&march, interval),
+            Method::Random(_) | Method::Even(_) => self.stratified_depth(&march, interval),
+        });
+        transmittance(depth.sum())
+    }
+
+    /// Samples an interval by the rule of its media.
+    fn interval(&mut self, march: &March, interval: &Interval) -> Sample {
+        match &march.rule.method {
+            Method::Random(extra) => self.stratified(march, interval, extra, false),
+            Method::Even(extra) => self.stratified(march, interval, extra, true),
+            Method::Adaptive { level, .. } => self.adaptive(march, interval, *level),
+        }
+    }
+
+    /// An interval that is the same everywhere and unlit.
+    fn uniform(&mut self, march: &March, interval: &Interval, unit: Sample) -> Sample {
+        match &march.rule.method {
+            Method::Adaptive { .. } => {
+                adaptive::uniform(unit.scaled(interval.length), march.rule.min_samples)
+            }
+            _ => self.interval(march, interval),
+        }
+    }
+
+    /// The lamps that reach a stretch, and where (docs/spec/atmosphere-gi.md 2.5).
+    fn beams(&self, stretch: &Stretch) -> SmallVec<[Beam; 4]> {
+        let beam = |&number: &u32| {
+            let light = &self.world.lights[number as usize];
+            let takes_part = light.media_interaction && !light.shadowless;
+            let reach = takes_part.then(|| light.reach(&stretch.ray, stretch.length))??;
+            Some(Beam { light: number, reach })
+        };
+        stretch.lights.iter().filter_map(beam).collect()
+    }
+}
+
+impl<'s, 'w> March<'s, 'w> {
+    fn new(stretch: &'s Stretch<'w>, scatters: bool) -> Self {
+        let mut rule = &stretch.media[0].sampling;
+        let mut threshold = f32::INFINITY;
+        for media in &stretch.media {
+            if media.sampling.intervals > rule.intervals {
+                rule = &media.sampling;
+            }
+            if let Method::Adaptive { threshold: own, .. } = media.sampling.method {
+                threshold = threshold.min(own);
+            }
+        }
+        let same = stretch.media.iter().all(|media| media.density.is_uniform());
+        let uniform = same.then(|| {
+            stretch.media.iter().fold(Sample::NOTHING, |sum, media| {
+                let density = media.density.uniform;
+                sum + Sample { source: density * media.emission, depth: density * media.extinction }
+            })
+        });
+        Self { stretch, rule, threshold, beams: SmallVec::new(), scatters, uniform }
+    }
+}
+
+fn veil(added: Rgb, factor: Rgb) -> Veil {
+    Veil { added, factor, transmit: grey(factor) }
+}
+
+/// The share of light left after an optical depth; depths below 0 brighten, but not without end.
+fn transmittance(depth: Rgb) -> Rgb {
+    (-depth).min(Rgb::splat(80.0)).exp()
+}

@@ -1,0 +1,145 @@
+//! How a stretch is cut into intervals: where lamps begin and end to light it, and as often as the
+//! media ask for (docs/spec/atmosphere-gi.md 2.5 and 2.6).
+
+use smallvec::{SmallVec, smallvec};
+
+use crate::world::Range;
+use crate::world::media::Sampling;
+
+/// A lamp and the part of a stretch it may light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Beam {
+    /// Its number.
+    pub(super) light: u32,
+    /// From … to, as distances.
+    pub(super) reach: Range,
+}
+
+/// A part of a stretch that is sampled for itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Interval {
+    /// The distance where it begins.
+    pub(super) start: f64,
+    /// Its length.
+    pub(super) length: f64,
+    /// Whether some lamp reaches it.
+    pub(super) lit: bool,
+}
+
+/// The intervals of a stretch, the nearest first.
+pub(super) fn intervals(rule: &Sampling, beams: &[Beam], length: f64) -> SmallVec<[Interval; 16]> {
+    let pieces = pieces(beams, length);
+    if let [piece] = pieces[..]
+        && !piece.lit
+        && rule.plain
+    {
+        return smallvec![piece];
+    }
+    let mut intervals = SmallVec::new();
+    let count = pieces.len() as u32;
+    let weight = |piece: &Interval| if piece.lit { rule.ratio } else { 1.0 - rule.ratio };
+    let total: f64 = pieces.iter().map(weight).sum();
+    let wanted = f64::from(rule.intervals.max(count));
+    let mut left = rule.intervals.max(count);
+    for (index, piece) in (0..).zip(&pieces) {
+        let parts = if count == 1 {
+            left
+        } else {
+            let share = (wanted * weight(piece) / total) as u32;
+            share.saturating_add(1).min((left + index + 1).saturating_sub(count)).max(1)
+        };
+        left = left.saturating_sub(parts);
+        let length = piece.length / f64::from(parts);
+        intervals.extend((0..parts).map(|part| Interval {
+            start: piece.start + f64::from(part) * length,
+            length,
+            ..*piece
+        }));
+    }
+    intervals
+}
+
+/// Lit and unlit pieces in turn.
+fn pieces(beams: &[Beam], length: f64) -> SmallVec<[Interval; 8]> {
+    let mut lit: SmallVec<[Range; 4]> = beams.iter().map(|beam| beam.reach).collect();
+    lit.sort_unstable_by(|a, b| a.min.total_cmp(&b.min));
+    lit.dedup_by(|next, kept| {
+        let touches = next.min <= kept.max;
+        if touches {
+            kept.max = kept.max.max(next.max);
+        }
+        touches
+    });
+    let mut pieces = SmallVec::new();
+    let mut piece = |from: f64, to: f64, lit: bool| {
+        if to > from {
+            pieces.push(Interval { start: from, length: to - from, lit });
+        }
+    };
+    let mut end = 0.0;
+    for Range { min, max } in lit {
+        piece(end, min, false);
+        piece(min, max, true);
+        end = max;
+    }
+    piece(end, length, false);
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::world::media::Method;
+
+    fn rule(intervals: u32) -> Sampling {
+        Sampling {
+            method: Method::Adaptive { threshold: 0.1, level: 3 },
+            intervals,
+            min_samples: 10,
+            jitter: 0.0,
+            ratio: 0.9,
+            plain: true,
+        }
+    }
+
+    fn beam(min: f64, max: f64) -> Beam {
+        Beam { light: 0, reach: Range { min, max } }
+    }
+
+    fn shown(intervals: &[Interval]) -> Vec<(f64, f64, bool)> {
+        intervals.iter().map(|i| (i.start, i.length, i.lit)).collect()
+    }
+
+    #[test]
+    fn plain_media_in_the_dark_are_one_interval() {
+        assert_eq!(shown(&intervals(&rule(7), &[], 4.0)), [(0.0, 4.0, false)]);
+        let dense = Sampling { plain: false, ..rule(2) };
+        assert_eq!(shown(&intervals(&dense, &[], 4.0)), [(0.0, 2.0, false), (2.0, 2.0, false)]);
+    }
+
+    #[test]
+    fn lit_pieces_get_most_of_the_intervals() {
+        let found = intervals(&rule(10), &[beam(1.0, 3.0)], 4.0);
+        let lit = found.iter().filter(|interval| interval.lit).count();
+        // Shares of 10 are 0.9, 8.2 and 0.9: one for the first, eight for the lit, one is left.
+        assert_eq!((found.len(), lit), (10, 8));
+        assert_eq!(found.last().map(|i| i.start + i.length), Some(4.0));
+    }
+
+    #[test]
+    fn overlapping_and_touching_beams_light_one_piece() {
+        let beams = [beam(2.0, 3.0), beam(0.0, 1.5), beam(1.0, 2.0)];
+        assert_eq!(shown(&intervals(&rule(1), &beams, 3.0)), [(0.0, 3.0, true)]);
+        assert_eq!(intervals(&rule(1), &[beam(1.0, 3.0)], 3.0).len(), 2);
+    }
+
+    #[test]
+    fn every_piece_has_an_interval_whatever_the_ratio() {
+        for ratio in [-3.0, 0.0, 0.5, 1.0, 7.0, f64::NAN] {
+            let rule = Sampling { ratio, ..rule(5) };
+            let found = intervals(&rule, &[beam(1.0, 2.0), beam(3.0, 4.0)], 5.0);
+            let whole: f64 = found.iter().map(|interval| interval.length).sum();
+            assert!((whole - 5.0).abs() < 1e-12, "{ratio}: {found:?}");
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! What media do at a point.
+
+use std::ops::{Add, Mul};
+
+use super::March;
+use crate::math::{DVec3, Rgb};
+use crate::render::shadow::Target;
+use crate::render::trace::Tracer;
+use crate::world::Intersection;
+
+/// Light that media send to the eye, and the optical depth: per unit of length, or of an interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sample {
+    /// Emitted and scattered light.
+    pub(super) source: Rgb,
+    /// Absorption and loss by scattering.
+    pub(super) depth: Rgb,
+}
+
+impl Sample {
+    /// Clear space.
+    pub(super) const NOTHING: Self = Self { source: Rgb::ZERO, depth: Rgb::ZERO };
+
+    /// The same over a length.
+    pub(super) fn scaled(self, length: f64) -> Self {
+        self * length as f32
+    }
+}
+
+impl Add for Sample {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self { source: self.source + other.source, depth: self.depth + other.depth }
+    }
+}
+
+impl Mul<f32> for Sample {
+    type Output = Self;
+
+    fn mul(self, factor: f32) -> Self {
+        Self { source: self.source * factor, depth: self.depth * factor }
+    }
+}
+
+impl Tracer<'_> {
+    /// What media do over a unit at distance `s` of a march; lamps count where `lit`.
+    pub(super) fn media_sample(&mut self, march: &March, s: f64, lit: bool) -> Sample {
+        self.statistics.media_samples += 1;
+        let point = march.stretch.ray.at(s);
+        let mut sum = Sample::NOTHING;
+        let mut scattered = Rgb::ZERO;
+        for media in &march.stretch.media {
+            let density = media.density.at(point);
+            sum.source += density * media.emission;
+            sum.depth += density * media.extinction;
+            scattered += density * media.scattering;
+        }
+        if lit && march.scatters && scattered != Rgb::ZERO {
+            sum.source += scattered * self.lamps(march, point, s);
+        }
+        sum
+    }
+
+    /// The optical depth of a unit at distance `s` of a march.
+    pub(super) fn media_depth(&mut self, march: &March, s: f64) -> Rgb {
+        self.statistics.media_samples += 1;
+        let point = march.stretch.ray.at(s);
+        march.stretch.media.iter().map(|media| media.density.at(point) * media.extinction).sum()
+    }
+
+    /// The light of lamps at a point of a march, each weighted by its share that goes to the eye.
+    fn lamps(&mut self, march: &March, point: DVec3, s: f64) -> Rgb {
+        let stretch = march.stretch;
+        let target = Target { surface: Intersection::in_space(point), inside: stretch.inside };
+        let mut sum = Rgb::ZERO;
+        for beam in march.beams.iter().filter(|beam| beam.reach.min <= s && s <= beam.reach.max) {
+            let light = &self.world.lights[beam.light as usize];
+            let incident = light.reaching(point);
+            if incident.is_dark() {
+                self.statistics.lights_dark += 1;
+                continue;
+            }
+            let cosine = stretch.ray.direction.dot(incident.direction);
+            let shares: f32 = stretch.media.iter().map(|media| media.phase.share(cosine)).sum();
+            let share = shares / stretch.media.len() as f32;
+            if share != 0.0 {
+                sum += share * self.unblocked(&target, light, &incident);
+            }
+        }
+        sum
+    }
+}

@@ -1,0 +1,104 @@
+//! Media: what fills space between surfaces and dims, glows and scatters (docs/spec/atmosphere-gi.md 2).
+
+pub mod phase;
+
+pub use phase::Phase;
+
+use std::sync::Arc;
+
+use super::sample::Sample;
+use super::texture::Pigment;
+use super::warp::Warps;
+use crate::math::{DVec3, Rgb};
+
+/// A `media`.
+#[derive(Clone, Debug)]
+pub struct Media {
+    /// How it wants to be sampled.
+    pub sampling: Sampling,
+    /// Light lost per unit at density 1: absorbed, and scattered away.
+    pub extinction: Rgb,
+    /// Light given off per unit at density 1.
+    pub emission: Rgb,
+    /// Light of lamps scattered per unit at density 1.
+    pub scattering: Rgb,
+    /// Where scattered light goes.
+    pub phase: Phase,
+    /// How much there is.
+    pub density: Density,
+}
+
+/// How a stretch through media is sampled (docs/spec/atmosphere-gi.md 2.1).
+#[derive(Clone, Debug)]
+pub struct Sampling {
+    /// The integration.
+    pub method: Method,
+    /// The least number of intervals, at least 1.
+    pub intervals: u32,
+    /// Least samples of an interval, at least 1.
+    pub min_samples: u32,
+    /// Displacement of samples, in parts of their distance.
+    pub jitter: f64,
+    /// Share of the intervals that goes to lit pieces.
+    pub ratio: f64,
+    /// Whether no `density` was written.
+    pub plain: bool,
+}
+
+/// The `method`s.
+#[derive(Clone, Debug)]
+pub enum Method {
+    /// 1: at random places.
+    Random(Extra),
+    /// 2: in the middle of equal parts.
+    Even(Extra),
+    /// 3: where the light changes more samples are taken.
+    Adaptive {
+        /// Difference above which samples are taken between, `aa_threshold`.
+        threshold: f32,
+        /// How often parts are halved, `aa_level`, at least 1.
+        level: u32,
+    },
+}
+
+/// When more than the least number of samples are taken.
+#[derive(Clone, Debug, Default)]
+pub struct Extra {
+    /// For 1, 2, … samples the variance of their mean that is small enough; the length is the most
+    /// samples. Empty where the least number is the most.
+    pub thresholds: Box<[f64]>,
+}
+
+/// The product of a medium's `density` statements.
+#[derive(Clone, Debug)]
+pub struct Density {
+    /// From the world to the space the statements were written in.
+    pub place: Warps,
+    /// The product of those that are the same everywhere.
+    pub uniform: Rgb,
+    /// Those that aren't.
+    pub varying: Box<[Arc<Pigment>]>,
+}
+
+impl Density {
+    /// Whether it is the same everywhere.
+    pub fn is_uniform(&self) -> bool {
+        self.varying.is_empty()
+    }
+
+    /// The density at a point of the world.
+    pub fn at(&self, point: DVec3) -> Rgb {
+        if self.is_uniform() {
+            return self.uniform;
+        }
+        let sample = Sample::at(self.place.point(point));
+        self.varying.iter().fold(self.uniform, |density, field| density * field.density(&sample))
+    }
+}
+
+impl Media {
+    /// Whether it takes light from what is behind.
+    pub fn dims(&self) -> bool {
+        self.extinction != Rgb::ZERO
+    }
+}
