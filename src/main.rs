@@ -14,8 +14,7 @@ fn main() -> ExitCode {
         eprintln!("povista: a mistake of povista's own, not of the scene; please report it with the scene");
         report(panic);
     }));
-    // Nothing is half written when the user stops the program: pictures appear when they are complete.
-    // Without a handler the program ends as well, only with another exit code.
-    let _ = ctrlc::set_handler(|| std::process::exit(i32::from(povista::cli::exit::ABANDONED)));
+    // Without a handler the program ends as well, only with less to say about it.
+    let _ = ctrlc::set_handler(|| std::process::exit(i32::from(povista::cli::stop(&mut io::stderr()))));
     ExitCode::from(povista::cli::main(std::env::args_os(), &mut io::stdout(), &mut io::stderr()))
 }

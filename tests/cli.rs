@@ -4,6 +4,8 @@
 mod native;
 #[path = "cli/povray.rs"]
 mod povray;
+#[path = "cli/run.rs"]
+mod run;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -42,6 +44,7 @@ impl Desk {
     }
 
     fn write(&self, name: &str, text: &str) {
+        fs::create_dir_all(self.path(name).parent().unwrap()).unwrap();
         fs::write(self.path(name), text).unwrap();
     }
 
@@ -70,6 +73,7 @@ impl Desk {
             .args(words)
             .current_dir(self.folder.path())
             .env("POVINI", self.path("empty.ini"))
+            .env("HOME", self.path("home"))
             .env_remove("POVINC")
             .stdin(Stdio::null())
             .output()

@@ -55,7 +55,7 @@ fn scenes_are_what_was_written() {
 
 /// Reads a scene file, or says what is wrong with it.
 fn read(path: &Path, current: &Path, paths: Vec<PathBuf>) -> Result<Scene, String> {
-    let mut sources = Sources::new(Library { current: current.into(), paths, scene: None });
+    let mut sources = Sources::new(Library { current: current.into(), paths, ..Library::default() });
     let main = sources.add(Source::new(path.display().to_string(), path, fs::read(path).unwrap()));
     let options = LanguageOptions { image_width: 16, image_height: 12, ..LanguageOptions::default() };
     let mut sink = Collect::default();

@@ -13,7 +13,9 @@ pub enum Failure {
     Missing(Problem),
     /// Something else is in the way.
     Problem(Problem),
-    /// Who reads the output has gone.
+    /// A program that ran beside the run asked for it, which has been told.
+    Halted,
+    /// The user stopped the run, or who reads the output has gone.
     Abandoned,
 }
 

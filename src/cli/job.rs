@@ -5,9 +5,12 @@ use std::path::{Path, PathBuf};
 use super::Problem;
 use super::animation::{Animation, Frame};
 use super::output::{Dither, Encoding, Format, Place};
-use super::settings::{Name, Settings};
+use super::povray::Restrictions;
+use super::settings::{Kind, Name, Settings};
+use super::shellout::Shellouts;
 use crate::math::Gamma;
 use crate::options::{Antialias, AntialiasMethod, Clock, LanguageOptions, Region, RenderOptions};
+use crate::source::Permissions;
 
 /// Most pixels of a picture: sixteen bytes each fill four gigabytes.
 const MOST_PIXELS: u64 = 1 << 28;
@@ -31,8 +34,12 @@ pub struct Job {
     pub encoding: Option<Encoding>,
     /// The pictures.
     pub animation: Animation,
-    /// Whether a picture that exists is left alone.
+    /// Whether a picture that exists is left alone, and one that was begun is finished.
     pub continue_trace: bool,
+    /// Programs that run around scene and frames.
+    pub shellouts: Shellouts,
+    /// Which files the scene may read and write.
+    pub permissions: Permissions,
     /// What the user should know about the options.
     pub warnings: Vec<String>,
     /// Whether the output's name is the file's as it is, rather than one that gets an extension.
@@ -45,14 +52,21 @@ impl Job {
     ///
     /// # Errors
     /// There is no scene, no such size, no such part of the picture, or the format cannot do what is asked.
-    pub fn new(settings: &Settings) -> Result<Self, Problem> {
+    pub fn new(settings: &Settings, restrictions: Restrictions) -> Result<Self, Problem> {
         let input = settings
             .text(Name::InputFileName)
             .filter(|name| !name.is_empty())
             .ok_or_else(|| Problem::new("no scene to render").help("name one: `povista scene.pov`"))?
             .to_owned();
         let (width, height) = size(settings)?;
-        let mut warnings = warnings(settings);
+        let shellouts = Shellouts::new(settings, restrictions.shellouts);
+        let mut warnings = restrictions.warnings;
+        warnings.extend(self::warnings(settings));
+        if shellouts.are_forbidden() {
+            warnings.push(
+                "commands are not run: no `povray.conf` allows shell-outs, or one forbids them".to_owned(),
+            );
+        }
         let encoding = encoding(settings, &mut warnings)?;
         let language = LanguageOptions {
             library_paths: settings.library_paths.clone(),
@@ -85,6 +99,8 @@ impl Job {
             encoding,
             animation: Animation::new(settings),
             continue_trace: settings.bool(Name::ContinueTrace) == Some(true),
+            shellouts,
+            permissions: restrictions.files,
             warnings,
             exact_output: false,
             output_name: settings.text(Name::OutputFileName).map(str::to_owned),
@@ -92,9 +108,15 @@ impl Job {
         })
     }
 
-    /// The moment of the first picture.
-    pub fn first_clock(&self) -> Clock {
-        self.animation.frames().next().map(|frame| frame.clock).unwrap_or_default()
+    /// What the interpreter may see at the moment of the first picture.
+    pub fn first_language(&self) -> LanguageOptions {
+        let clock = self.animation.frames().next().map(|frame| frame.clock).unwrap_or_default();
+        self.language_at(clock)
+    }
+
+    /// What the interpreter may see at a moment.
+    pub fn language_at(&self, clock: Clock) -> LanguageOptions {
+        LanguageOptions { clock, ..self.language.clone() }
     }
 
     /// Where a frame's picture goes; none where none is stored.
@@ -222,18 +244,14 @@ fn encoding(settings: &Settings, warnings: &mut Vec<String>) -> Result<Option<En
 fn warnings(settings: &Settings) -> Vec<String> {
     let on = |name: Name| settings.bool(name) == Some(true);
     let mut warnings = Vec::new();
-    let commands = [
-        Name::PreSceneCommand,
-        Name::PreFrameCommand,
-        Name::PostFrameCommand,
-        Name::PostSceneCommand,
-        Name::UserAbortCommand,
-        Name::FatalErrorCommand,
-    ];
-    for name in commands.into_iter().filter(|name| settings.text(*name).is_some()) {
-        warnings.push(format!("`{}` is not run: scenes may not start programs", name.as_str()));
+    for name in Name::of_kind(Kind::Obsolete).filter(|name| settings.text(*name).is_some()) {
+        warnings.push(format!("`{}` is no longer used", name.as_str()));
     }
-    for name in [Name::ClocklessAnimation, Name::RealTimeRaytracing, Name::FieldRender, Name::OddField] {
+    if on(Name::RealTimeRaytracing) {
+        warnings
+            .push("real-time raytracing is not done; the picture is rendered once and not stored".to_owned());
+    }
+    for name in [Name::ClocklessAnimation, Name::FieldRender, Name::OddField] {
         if on(name) {
             warnings.push(format!("`{}` has no effect", name.as_str()));
         }
@@ -254,7 +272,7 @@ mod tests {
         for word in words.split_whitespace() {
             povray::read(word, &mut settings).expect("a known switch");
         }
-        Job::new(&settings)
+        Job::new(&settings, Restrictions::default())
     }
 
     /// The rows of docs/spec/camera-image.md 10: columns and rows that are rendered, from 1.

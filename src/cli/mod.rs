@@ -10,14 +10,19 @@ pub mod picture;
 pub mod povray;
 mod problem;
 mod read;
+mod resume;
 pub mod run;
 pub mod settings;
+pub mod shellout;
+mod state;
+mod stop;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 
 pub use problem::Problem;
+pub use stop::stop;
 
 /// Runs the program and returns its exit code.
 ///

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::Problem;
 use super::output::Place;
+use crate::source::Permissions;
 
 /// Differences up to this many steps of 255 are not seen.
 const INVISIBLE: f32 = 2.0;
@@ -68,7 +69,7 @@ pub fn write(picture: &RgbImage, path: &Path) -> Result<(), Problem> {
     let cannot =
         |error: &dyn fmt::Display| Problem::new(format!("cannot write `{}`: {error}", path.display()));
     picture.write_to(&mut bytes, format).map_err(|error| cannot(&error))?;
-    let opened = Place::File(path.to_owned()).open()?;
+    let opened = Place::File(path.to_owned()).open(&Permissions::default())?;
     opened.finish(&bytes.into_inner()).map_err(|error| cannot(&error))
 }
 

@@ -8,41 +8,46 @@ use super::job::Job;
 use super::problem::Problem;
 use crate::diag::Sink;
 use crate::interp;
-use crate::options::{Clock, LanguageOptions};
+use crate::options::LanguageOptions;
 use crate::scene::Scene;
 use crate::source::{FileId, FileKind, Library, Missing, Source, Sources};
 
 /// Name of a scene that comes from standard input.
 const STDIN: &str = "-";
 
-/// Reads the scene at a moment; the sink hears what is wrong with it.
+/// Reads the scene of a job with these options; the sink hears what is wrong with it.
 ///
 /// # Errors
 /// There is no such file, or the scene has errors.
-pub(super) fn scene(job: &Job, clock: Clock, sink: &mut dyn Sink) -> Result<(Scene, Sources), Failure> {
-    let options = LanguageOptions { clock, ..job.language.clone() };
+pub(super) fn scene(
+    job: &Job,
+    options: &LanguageOptions,
+    sink: &mut dyn Sink,
+) -> Result<(Scene, Sources), Failure> {
     let (main, mut sources) = open(job).map_err(Failure::Missing)?;
-    let scene = interp::interpret(main, &mut sources, &options, sink).ok_or(Failure::Scene)?;
+    let scene = interp::interpret(main, &mut sources, options, sink).ok_or(Failure::Scene)?;
     Ok((scene, sources))
 }
 
 /// Opens the file of a job's scene.
 fn open(job: &Job) -> Result<(FileId, Sources), Problem> {
+    let permissions = job.permissions.clone();
     if job.input == STDIN {
         let mut bytes = Vec::new();
         std::io::stdin()
             .read_to_end(&mut bytes)
             .map_err(|error| Problem::io("read", Path::new("standard input"), &error))?;
-        let mut sources = Sources::default();
+        let mut sources = Sources::new(Library { permissions, ..Library::default() });
         let main = sources.add(Source::new("standard input", "", bytes));
         return Ok((main, sources));
     }
-    let library = Library { paths: job.language.library_paths.clone(), ..Library::default() };
+    let paths = job.language.library_paths.clone();
+    let library = Library { paths, permissions: permissions.clone(), ..Library::default() };
     let (path, bytes) =
         library.open(&job.input, FileKind::Scene).map_err(|missing| no_scene(&job.input, missing))?;
     // The interpreter adds the paths of its options; the scene's own folder comes last.
-    let mut sources =
-        Sources::new(Library { scene: path.parent().map(Path::to_owned), ..Library::default() });
+    let scene = path.parent().map(Path::to_owned);
+    let mut sources = Sources::new(Library { scene, permissions, ..Library::default() });
     let main = sources.add(Source::new(path.display().to_string(), path, bytes));
     Ok((main, sources))
 }

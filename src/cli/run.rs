@@ -1,14 +1,20 @@
 //! The way from a job to its pictures, whoever tells about it.
 
-use std::path::Path;
+use std::io::Write;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use super::animation::Frame;
+use super::exit;
 use super::failure::Failure;
 use super::job::Job;
-use super::output::{self, Place};
+use super::output::{self, Opened, Place};
 use super::problem::Problem;
 use super::read;
+use super::resume::{self, Resume};
+use super::shellout::{Action, Moment, Values};
+use super::state;
+use super::stop;
 use crate::compile::{self, Compiled, Reason, Unsupported};
 use crate::diag::{Diagnostic, Severity, Sink};
 use crate::math::Gamma;
@@ -29,7 +35,14 @@ pub trait Report: Sink {
     fn skipped(&mut self, place: &Place);
     /// A picture is there.
     fn finished(&mut self, summary: &Summary);
+    /// Says something about the run.
+    fn say(&mut self, text: &str);
+    /// Tells that the user has stopped the run.
+    fn stopping(&self) -> Stopping;
 }
+
+/// Tells that the user has stopped the run, and in which file the finished part of the picture is kept.
+pub type Stopping = Box<dyn FnOnce(&mut dyn Write, Option<&Path>) + Send>;
 
 /// What a picture took.
 #[derive(Debug, Clone)]
@@ -52,27 +65,128 @@ pub struct Summary {
     pub statistics: Statistics,
 }
 
-/// Renders all pictures of a job.
+/// Why no more frames are rendered.
+enum Halt {
+    /// A program that ran beside asked for it: nothing more is done.
+    Quit,
+    /// Something went wrong.
+    Failure(Failure),
+}
+
+impl From<Failure> for Halt {
+    fn from(failure: Failure) -> Self {
+        Self::Failure(failure)
+    }
+}
+
+/// Renders all pictures of a job and runs the programs around them (docs/spec/camera-image.md 25).
 ///
 /// # Errors
 /// The first picture that cannot be made ends the run.
 pub fn run(job: &Job, report: &mut dyn Report) -> Result<(), Failure> {
-    for frame in job.animation.frames() {
+    let mut values = None;
+    let mut result = match frames(job, report, &mut values) {
+        Err(Halt::Quit) => return Ok(()),
+        Err(Halt::Failure(failure)) => Err(failure),
+        Ok(()) => Ok(()),
+    };
+    let Some(values) = values else { return result };
+    let mut shell = |moment| job.shellouts.run(moment, &values, &mut |text| report.say(text));
+    if matches!(result, Err(Failure::Abandoned)) && shell(Moment::UserAbort) == Action::Fail {
+        result = Err(Failure::Halted);
+    }
+    if matches!(result, Ok(()) | Err(Failure::Abandoned)) {
+        match shell(Moment::PostScene) {
+            Action::Fail => result = Err(Failure::Halted),
+            Action::Abort => {
+                shell(Moment::UserAbort);
+                result = Err(Failure::Abandoned);
+            }
+            _ => {}
+        }
+    }
+    if !matches!(result, Ok(()) | Err(Failure::Abandoned)) {
+        shell(Moment::FatalError);
+    }
+    result
+}
+
+/// Renders the frames; the values are those of the last one that was begun.
+fn frames(job: &Job, report: &mut dyn Report, values: &mut Option<Values>) -> Result<(), Halt> {
+    for (number, frame) in job.animation.frames().enumerate() {
+        let values = values.insert(Values::of(job, &frame));
         let place = job.place(&frame);
+        prepare_stop(job, report, values, None);
+        if number == 0 {
+            match shell(job, Moment::PreScene, values, report) {
+                Action::Skip => return Ok(()),
+                action => obey(action)?,
+            }
+        }
         report.begin(job, &frame, place.as_ref());
+        match shell(job, Moment::PreFrame, values, report) {
+            Action::Skip => continue,
+            Action::SkipAll => return Ok(()),
+            action => obey(action)?,
+        }
         match &place {
-            Some(place) if job.continue_trace && place.is_taken() => report.skipped(place),
-            _ => picture(job, &frame, place, report)?,
+            Some(place) if job.continue_trace && place.is_finished() => {
+                report.skipped(place);
+                continue;
+            }
+            _ => picture(job, &frame, place, values, report)?,
+        }
+        match shell(job, Moment::PostFrame, values, report) {
+            Action::Skip | Action::SkipAll => return Ok(()),
+            action => obey(action)?,
         }
     }
     Ok(())
 }
 
+/// Runs the program of a moment, if there is one.
+fn shell(job: &Job, moment: Moment, values: &Values, report: &mut dyn Report) -> Action {
+    job.shellouts.run(moment, values, &mut |text| report.say(text))
+}
+
+/// Ends the run if a program asked for that.
+fn obey(action: Action) -> Result<(), Halt> {
+    match action {
+        Action::Ignore | Action::Skip => Ok(()),
+        Action::SkipAll | Action::Quit => Err(Halt::Quit),
+        Action::Abort => Err(Failure::Abandoned.into()),
+        Action::Fail => Err(Failure::Halted.into()),
+    }
+}
+
+/// Says what is to be done when the user stops the run from now on.
+fn prepare_stop(job: &Job, report: &dyn Report, values: &Values, state: Option<PathBuf>) {
+    let (tell, shellouts, values) = (report.stopping(), job.shellouts.clone(), values.clone());
+    stop::prepare(Box::new(move |err| {
+        tell(err, state.as_deref());
+        let mut say = |text: &str| {
+            let _ = writeln!(err, "{text}");
+        };
+        if shellouts.run(Moment::UserAbort, &values, &mut say) != Action::Fail {
+            return exit::ABANDONED;
+        }
+        shellouts.run(Moment::FatalError, &values, &mut say);
+        exit::FAILURE
+    }));
+}
+
 /// Renders one picture.
-fn picture(job: &Job, frame: &Frame, place: Option<Place>, report: &mut dyn Report) -> Result<(), Failure> {
+fn picture(
+    job: &Job,
+    frame: &Frame,
+    place: Option<Place>,
+    values: &Values,
+    report: &mut dyn Report,
+) -> Result<(), Failure> {
     report.parsing();
     let start = Instant::now();
-    let (scene, sources) = read::scene(job, frame.clock, report)?;
+    let language = job.language_at(frame.clock);
+    let (scene, sources) = read::scene(job, &language, report)?;
     let parse = start.elapsed();
 
     let start = Instant::now();
@@ -85,10 +199,19 @@ fn picture(job: &Job, frame: &Frame, place: Option<Place>, report: &mut dyn Repo
     let compile = start.elapsed();
 
     // Better to know now that the picture can't be stored than after an hour.
-    let opened = place.as_ref().map(Place::open).transpose()?;
+    let opened = place.as_ref().map(|place| place.open(&job.permissions)).transpose()?;
+    let state = match (&place, &opened) {
+        (Some(Place::File(path)), Some(Opened::File(_))) => {
+            let fingerprint = state::fingerprint(&sources, &language, &job.render);
+            resume::begin(job, state::path_beside(path), fingerprint, report)
+        }
+        _ => None,
+    };
+    prepare_stop(job, report, values, state.as_ref().map(|state| state.path().to_owned()));
     report.rendering(job, parse, compile);
     let start = Instant::now();
-    let rendered = render::render(&world, &job.render, report.progress());
+    let watch = Resume::new(report.progress(), state.as_ref());
+    let rendered = render::render(&world, &job.render, &watch);
     let render = start.elapsed();
 
     let start = Instant::now();
@@ -98,6 +221,9 @@ fn picture(job: &Job, frame: &Frame, place: Option<Place>, report: &mut dyn Repo
             std::io::ErrorKind::BrokenPipe => Failure::Abandoned,
             _ => Problem::io("write", Path::new(&place.name()), &error).into(),
         })?;
+    }
+    if let Some(state) = state {
+        state.finish();
     }
     report.finished(&Summary {
         place,
@@ -147,3 +273,6 @@ fn lacking(
     }
     if failed { Err(Failure::Scene) } else { Ok(()) }
 }
+
+#[cfg(test)]
+mod tests;

@@ -21,6 +21,7 @@ mod tiles;
 mod trace;
 
 pub use film::Image;
+pub use sampling::Sample;
 pub use stats::Statistics;
 
 use crate::options::{Region, RenderOptions};
@@ -30,13 +31,21 @@ use crate::world::{Ray, RayKind, World};
 use quality::Quality;
 use random::Random;
 use refract::Inside;
-use sampling::Sample;
 use trace::{Path, Tracer};
 
 /// Watches a rendering; called from its threads.
 pub trait Progress: Sync {
     /// `done` of `total` pixels are finished. Calls may arrive out of order.
     fn advance(&self, done: u64, total: u64);
+
+    /// The pixels of a block that an earlier rendering of the same picture gave to
+    /// [`keep`](Self::keep), so that it isn't rendered again.
+    fn known(&self, _block: &Region) -> Option<Vec<Sample>> {
+        None
+    }
+
+    /// A block is rendered: its pixels, row by row.
+    fn keep(&self, _block: &Region, _pixels: &[Sample]) {}
 }
 
 /// Watches nothing.

@@ -11,7 +11,7 @@ use crate::math::gamma::Gamma;
 use crate::options::{Antialias, AntialiasMethod, Region};
 
 /// Red, green, blue and transmit of a sample.
-pub(super) type Sample = [f32; 4];
+pub type Sample = [f32; 4];
 
 /// Colours the pixels of `block`, row by row, from samples at image coordinates.
 ///

@@ -27,7 +27,14 @@ pub(super) fn render(
     let finished = Mutex::new((Image::new(options.width, options.height), Statistics::default()));
     let work = || {
         blocks.par_iter().with_max_len(1).for_each(|block| {
-            let (pixels, statistics) = render(block);
+            let (pixels, statistics) = match progress.known(block) {
+                Some(pixels) => (pixels, Statistics::default()),
+                None => {
+                    let rendered = render(block);
+                    progress.keep(block, &rendered.0);
+                    rendered
+                }
+            };
             if let Ok(mut finished) = finished.lock() {
                 paste(&mut finished.0, block, &pixels);
                 finished.1 += statistics;

@@ -6,9 +6,11 @@
 //!   from its bytes (docs/spec/language.md 1.6).
 
 mod embedded;
+mod permissions;
 mod search;
 pub mod span;
 
+pub use permissions::{Folder, Permissions};
 pub use search::{FileKind, Library, Missing};
 pub use span::{FileId, Span};
 
@@ -124,6 +126,11 @@ impl Sources {
     /// When the number comes from another `Sources`.
     pub fn get(&self, id: FileId) -> &Source {
         &self.files[id.0 as usize]
+    }
+
+    /// Every file read so far.
+    pub fn all(&self) -> &[Source] {
+        &self.files
     }
 
     /// The text under a span.

@@ -5,6 +5,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::permissions::Permissions;
+
 /// What a file is wanted for: decides the extensions that may be left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
@@ -57,6 +59,8 @@ pub struct Library {
     pub paths: Vec<PathBuf>,
     /// The folder of the scene, searched last.
     pub scene: Option<PathBuf>,
+    /// What may be read and written.
+    pub permissions: Permissions,
 }
 
 impl Library {
@@ -84,7 +88,9 @@ impl Library {
     pub fn create(&self, name: &str, append: bool) -> io::Result<std::fs::File> {
         let mut options = std::fs::OpenOptions::new();
         options.create(true).write(true).append(append).truncate(!append);
-        options.open(self.current.join(name))
+        let path = self.current.join(name);
+        self.permissions.check_write(&path)?;
+        options.open(path)
     }
 
     /// Finds and reads a file.
@@ -99,7 +105,7 @@ impl Library {
         if path.is_dir() {
             return Err(Missing::Folder(path));
         }
-        match std::fs::read(&path) {
+        match self.permissions.check_read(&path).and_then(|()| std::fs::read(&path)) {
             Ok(bytes) => Ok((path, bytes)),
             Err(error) => Err(Missing::Unreadable(path, error)),
         }
@@ -126,7 +132,8 @@ mod tests {
         };
         let (current, first, scene) = (folder("current"), folder("first"), folder("scene"));
         std::fs::write(scene.join("b.inc"), "scene").unwrap();
-        let library = Library { current, paths: vec![first.clone()], scene: Some(scene) };
+        let library =
+            Library { current, paths: vec![first.clone()], scene: Some(scene), ..Library::default() };
         assert_eq!(library.open("b", FileKind::Include).unwrap().1, b"scene");
         std::fs::write(first.join("b.inc"), "first").unwrap();
         assert_eq!(library.open("b.inc", FileKind::Include).unwrap().1, b"first");

@@ -86,6 +86,9 @@ pub(super) struct Render {
     /// Bits per channel, 5 to 16, where the format leaves a choice [default: 8]
     #[arg(long, value_name = "BITS")]
     pub(super) bits: Option<u8>,
+    /// Go on with a picture that was stopped, and leave alone those that are there
+    #[arg(long = "continue")]
+    pub(super) resume: bool,
     /// Leave out what povista cannot render yet, with a warning
     #[arg(long)]
     pub(super) skip_unsupported: bool,

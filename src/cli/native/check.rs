@@ -50,7 +50,7 @@ pub(super) fn check(arguments: &Check, out: &mut dyn Write) -> Result<bool, Fail
     let terminal = Terminal::of_stdout();
     let mut teller =
         Teller { telling: arguments.format, out, terminal, broken: Ok(()), errors: 0, warnings: 0 };
-    let read = read::scene(&job, job.first_clock(), &mut teller);
+    let read = read::scene(&job, &job.first_language(), &mut teller);
     let Teller { broken, errors, warnings, out, .. } = teller;
     broken?;
     match read {

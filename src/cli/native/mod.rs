@@ -72,7 +72,7 @@ pub(super) fn as_povray(words: &[String], err: &mut (dyn Write + Send)) -> u8 {
 fn end(result: Result<bool, Failure>, err: &mut dyn Write) -> u8 {
     match result {
         Ok(true) => exit::SUCCESS,
-        Ok(false) | Err(Failure::Scene) => exit::FAILURE,
+        Ok(false) | Err(Failure::Scene | Failure::Halted) => exit::FAILURE,
         Err(Failure::Abandoned) => exit::ABANDONED,
         Err(Failure::Missing(problem) | Failure::Problem(problem)) => {
             tell(&problem, err);

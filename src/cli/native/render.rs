@@ -12,7 +12,7 @@ use crate::cli::animation::{Animation, Frame};
 use crate::cli::failure::Failure;
 use crate::cli::job::Job;
 use crate::cli::output::Place;
-use crate::cli::run::{self, Report, Summary};
+use crate::cli::run::{self, Report, Stopping, Summary};
 use crate::diag::{Diagnostic, Sink, Stream};
 use crate::render::Progress;
 use crate::source::Sources;
@@ -117,6 +117,29 @@ impl Report for Watch<'_> {
         if !self.teller.quiet {
             self.teller.line(&format!("{} is there already", place.name()));
         }
+    }
+
+    fn say(&mut self, text: &str) {
+        if !self.teller.quiet {
+            self.teller.line(text);
+        }
+    }
+
+    fn stopping(&self) -> Stopping {
+        let (bar, quiet) = (self.bar.0.clone(), self.teller.quiet);
+        Box::new(move |err, state| {
+            bar.finish_and_clear();
+            if quiet {
+                return;
+            }
+            let rest = state.map(|state| {
+                format!(
+                    "; what is done is in {}: the same command with `--continue` goes on",
+                    state.display()
+                )
+            });
+            let _ = writeln!(err, "povista: stopped{}", rest.unwrap_or_default());
+        })
     }
 
     fn finished(&mut self, summary: &Summary) {

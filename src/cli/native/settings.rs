@@ -6,7 +6,7 @@ use super::args::{Accel, Look, Render, Scene};
 use crate::cli::Problem;
 use crate::cli::job::Job;
 use crate::cli::output::Format;
-use crate::cli::povray::Environment;
+use crate::cli::povray::{Environment, Restrictions};
 use crate::cli::settings::{Name, Settings, Value};
 use crate::options::Accelerator;
 
@@ -39,7 +39,7 @@ pub(super) fn of_scene(scene: &Scene) -> Result<Settings, Problem> {
 /// # Errors
 /// The settings ask for what cannot be.
 pub(super) fn job(scene: &Scene, settings: &Settings) -> Result<Job, Problem> {
-    let mut job = Job::new(settings)?;
+    let mut job = Job::new(settings, Restrictions::read(&Environment::of_process()))?;
     if let Some(turns) = scene.max_turns {
         job.language.max_turns = turns;
     }
@@ -80,6 +80,9 @@ pub(super) fn add_look(look: &Look, settings: &mut Settings) {
 pub(super) fn add_output(render: &Render, settings: &mut Settings) -> Result<(), Problem> {
     if render.alpha {
         settings.set(Name::OutputAlpha, Value::Bool(true));
+    }
+    if render.resume {
+        settings.set(Name::ContinueTrace, Value::Bool(true));
     }
     if let Some(bits) = render.bits {
         settings.set(Name::BitsPerColor, Value::Int(i32::from(bits)));

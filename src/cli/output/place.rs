@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 use super::Format;
-use crate::cli::Problem;
+use crate::cli::{Problem, state};
+use crate::source::Permissions;
 
 /// Where a picture goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -66,20 +67,25 @@ impl Place {
         }
     }
 
-    /// Whether a picture is there already.
-    pub fn is_taken(&self) -> bool {
-        matches!(self, Self::File(path) if fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() > 0))
+    /// Whether a picture is there already, and not one that is about to be replaced by one that was begun.
+    pub fn is_finished(&self) -> bool {
+        let Self::File(path) = self else { return false };
+        fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() > 0)
+            && !state::path_beside(path).exists()
     }
 
     /// Makes sure that a picture can be written there, before anything is rendered.
     ///
     /// # Errors
     /// The folder is missing, may not be written, or the name belongs to a folder.
-    pub fn open(&self) -> Result<Opened, Problem> {
+    pub fn open(&self, permissions: &Permissions) -> Result<Opened, Problem> {
         match self {
             Self::Stdout => Ok(Opened::Stream(Box::new(io::stdout()))),
             Self::Stderr => Ok(Opened::Stream(Box::new(io::stderr()))),
-            Self::File(path) => open_file(path),
+            Self::File(path) => {
+                permissions.check_write(path).map_err(|error| Problem::io("write", path, &error))?;
+                open_file(path)
+            }
         }
     }
 }
@@ -198,12 +204,12 @@ mod tests {
     fn a_file_appears_only_when_it_is_complete() {
         let folder = tempfile::tempdir().expect("a folder for the test");
         let path = folder.path().join("a.png");
-        let opened = Place::File(path.clone()).open().expect("the folder takes files");
+        let opened = Place::File(path.clone()).open(&Permissions::default()).expect("the folder takes files");
         assert!(!path.exists());
         opened.finish(b"picture").expect("the disk has room");
         assert_eq!(fs::read(&path).expect("the file is there"), b"picture");
 
-        drop(Place::File(path.clone()).open().expect("the folder takes files"));
+        drop(Place::File(path.clone()).open(&Permissions::default()).expect("the folder takes files"));
         assert_eq!(fs::read(&path).expect("the file is there"), b"picture");
         assert_eq!(fs::read_dir(folder.path()).expect("the folder is there").count(), 1);
     }
@@ -211,8 +217,8 @@ mod tests {
     #[test]
     fn a_place_that_takes_no_file_is_known_beforehand() {
         let folder = tempfile::tempdir().expect("a folder for the test");
-        assert!(Place::File(folder.path().to_owned()).open().is_err());
-        assert!(Place::File(folder.path().join("missing/a.png")).open().is_err());
+        assert!(Place::File(folder.path().to_owned()).open(&Permissions::default()).is_err());
+        assert!(Place::File(folder.path().join("missing/a.png")).open(&Permissions::default()).is_err());
     }
 
     #[cfg(unix)]
@@ -222,7 +228,11 @@ mod tests {
         let (target, link) = (folder.path().join("target"), folder.path().join("link"));
         fs::write(&target, "old").expect("the folder takes files");
         std::os::unix::fs::symlink(&target, &link).expect("the folder takes links");
-        Place::File(link.clone()).open().expect("a link to a file").finish(b"new").expect("room");
+        Place::File(link.clone())
+            .open(&Permissions::default())
+            .expect("a link to a file")
+            .finish(b"new")
+            .expect("room");
         assert_eq!(fs::read(&target).expect("the file is there"), b"new");
         assert!(fs::symlink_metadata(&link).expect("the link is there").is_symlink());
     }

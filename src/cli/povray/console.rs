@@ -11,7 +11,7 @@ use crate::cli::animation::{Animation, Frame, Series};
 use crate::cli::failure::Failure;
 use crate::cli::job::Job;
 use crate::cli::output::{Dither, Encoding, Format, Place};
-use crate::cli::run::{Report, Summary};
+use crate::cli::run::{Report, Stopping, Summary};
 use crate::diag::{self, Diagnostic, Severity, Sink};
 use crate::options::{AntialiasMethod, RenderOptions};
 use crate::render::Progress;
@@ -67,6 +67,7 @@ impl<'w> Console<'w> {
             Err(Failure::Problem(problem)) => {
                 self.announce(&format!("Fatal error in renderer: {problem}.\nRender failed\n\n"));
             }
+            Err(Failure::Halted) => self.announce("Render failed\n\n"),
             Err(Failure::Abandoned) => self.announce("Render aborted by user\n\n"),
         }
     }
@@ -125,6 +126,17 @@ impl Report for Console<'_> {
 
     fn skipped(&mut self, _: &Place) {
         self.announce("File already rendered and continue requested; skipping.\n");
+    }
+
+    fn say(&mut self, text: &str) {
+        self.announce(&format!("{text}\n"));
+    }
+
+    fn stopping(&self) -> Stopping {
+        Box::new(|err, _| {
+            let text = "\nFatal error in renderer: Frontend halted render.\nRender cancelled by user\n\n";
+            let _ = err.write_all(text.as_bytes());
+        })
     }
 
     fn finished(&mut self, summary: &Summary) {

@@ -68,6 +68,10 @@ fn read_line(line: &str, settings: &mut Settings, depth: usize) -> Result<(), Pr
         Some((name, values)) if !name.contains(|letter: char| "\"';#".contains(letter)) => {
             let name = name.trim();
             let option = Name::find(name).ok_or_else(|| words::unknown(name))?;
+            if option.kind() == Kind::Command {
+                // The shell reads its quotes and commas itself.
+                return settings.read(option, values[..unquoted_end(values, &[';', '#'])].trim());
+            }
             for value in split(values) {
                 if option.kind() == Kind::Ini {
                     read_named(&value, settings, depth + 1)?;
@@ -94,7 +98,7 @@ fn split(text: &str) -> Vec<String> {
             rest = after.trim_start();
         } else {
             // A quote inside the value, as in `Declare=s="a;b"`, hides what would end it.
-            let end = unquoted_end(rest);
+            let end = unquoted_end(rest, &[',', ';', '#']);
             values.push(rest[..end].trim_end().to_owned());
             rest = &rest[end..];
         }
@@ -105,8 +109,8 @@ fn split(text: &str) -> Vec<String> {
     }
 }
 
-/// Where a value that doesn't begin with a quote ends.
-fn unquoted_end(text: &str) -> usize {
+/// Where the first of some letters stands outside quotes, or the text's end.
+fn unquoted_end(text: &str, ends: &[char]) -> usize {
     let mut open = None;
     text.char_indices()
         .find(|(_, letter)| match (open, letter) {
@@ -120,7 +124,7 @@ fn unquoted_end(text: &str) -> usize {
                 open = Some(*letter);
                 false
             }
-            (None, letter) => matches!(letter, ',' | ';' | '#'),
+            (None, letter) => ends.contains(letter),
         })
         .map_or(text.len(), |(position, _)| position)
 }

@@ -8,7 +8,7 @@ use crate::cli::Problem;
 use crate::cli::settings::{Name, Settings, Value};
 
 /// Folders under which POV-Ray's packages put its include files.
-const INSTALLED: [&str; 2] = ["/usr/share/povray-3.7", "/usr/local/share/povray-3.7"];
+pub(super) const INSTALLED: [&str; 2] = ["/usr/share/povray-3.7", "/usr/local/share/povray-3.7"];
 
 /// What the surroundings say about INI files and include folders.
 #[derive(Debug, Clone, Default)]

@@ -3,6 +3,7 @@
 mod console;
 mod ini;
 mod lookup;
+mod restrictions;
 mod streams;
 mod switch;
 mod words;
@@ -11,6 +12,7 @@ mod wrap;
 use std::io::Write;
 
 pub use lookup::Environment;
+pub use restrictions::Restrictions;
 pub use words::{is_povray, read};
 
 use super::exit;
@@ -96,7 +98,7 @@ pub(super) fn job(words: &[String]) -> Result<(Settings, Job), Problem> {
         read(word, &mut settings)?;
     }
     environment.add_last_path(&mut settings);
-    let job = Job::new(&settings)?;
+    let job = Job::new(&settings, Restrictions::read(&environment))?;
     if let Some(path) = settings.text(Name::CreateIni) {
         std::fs::write(path, settings.to_string())
             .map_err(|error| Problem::io("write", path.as_ref(), &error))?;

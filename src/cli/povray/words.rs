@@ -20,6 +20,9 @@ pub fn read(word: &str, settings: &mut Settings) -> Result<(), Problem> {
                 _ => value,
             };
             match option.kind() {
+                Kind::Command | Kind::Obsolete => {
+                    Err(Problem::new(format!("`{}` is for INI files alone", option.as_str())))
+                }
                 Kind::Ini => ini::read_named(value, settings, 1),
                 _ => settings.read(option, value),
             }

@@ -64,7 +64,7 @@ impl Settings {
             Kind::Bool => Value::Bool(value::truth(text)),
             Kind::Int => Value::Int(value::int(text).ok_or_else(|| wrong("a whole number"))?),
             Kind::Float => Value::Float(value::float(text).ok_or_else(|| wrong("a number"))?),
-            Kind::Path | Kind::Text => Value::Text(text.to_owned()),
+            Kind::Path | Kind::Text | Kind::Command | Kind::Obsolete => Value::Text(text.to_owned()),
             Kind::Format => Value::Text(format_letter(text).ok_or_else(|| format_problem(text))?.to_string()),
             Kind::Dither => {
                 Value::Text(dither_method(text).ok_or_else(|| wrong("B2, B3, B4, D1, D2 or FS"))?)

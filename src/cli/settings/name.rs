@@ -141,6 +141,10 @@ pub enum Kind {
     Declare,
     /// An INI file to read now.
     Ini,
+    /// A program with its parameters; only INI files may name one.
+    Command,
+    /// What earlier versions knew: INI files may still hold it, to no effect.
+    Obsolete,
 }
 
 impl Name {
@@ -158,6 +162,11 @@ impl Name {
     /// What its value looks like.
     pub fn kind(self) -> Kind {
         TABLE[self as usize].2
+    }
+
+    /// The options of a kind.
+    pub fn of_kind(kind: Kind) -> impl Iterator<Item = Self> {
+        TABLE.iter().filter(move |row| row.2 == kind).map(|row| row.0)
     }
 
     /// The known name nearest to a misspelt one.
@@ -192,13 +201,13 @@ const TABLE: &[(Name, &str, Kind)] = &[
     (Name::BspISectCost, "BSP_ISectCost", Float),
     (Name::BspMaxDepth, "BSP_MaxDepth", Int),
     (Name::BspMissChance, "BSP_MissChance", Float),
-    (Name::BufferOutput, "Buffer_Output", Bool),
-    (Name::BufferSize, "Buffer_Size", Int),
+    (Name::BufferOutput, "Buffer_Output", Kind::Obsolete),
+    (Name::BufferSize, "Buffer_Size", Kind::Obsolete),
     (Name::Clock, "Clock", Float),
     (Name::ClocklessAnimation, "Clockless_Animation", Bool),
     (Name::Compression, "Compression", Int),
     (Name::ContinueTrace, "Continue_Trace", Bool),
-    (Name::CreateHistogram, "Create_Histogram", Bool),
+    (Name::CreateHistogram, "Create_Histogram", Kind::Obsolete),
     (Name::CreateIni, "Create_Ini", Path),
     (Name::CyclicAnimation, "Cyclic_Animation", Bool),
     (Name::DebugConsole, "Debug_Console", Bool),
@@ -212,7 +221,7 @@ const TABLE: &[(Name, &str, Kind)] = &[
     (Name::EndColumn, "End_Column", Float),
     (Name::EndRow, "End_Row", Float),
     (Name::FatalConsole, "Fatal_Console", Bool),
-    (Name::FatalErrorCommand, "Fatal_Error_Command", Text),
+    (Name::FatalErrorCommand, "Fatal_Error_Command", Kind::Command),
     (Name::FatalErrorReturn, "Fatal_Error_Return", Text),
     (Name::FatalFile, "Fatal_File", Path),
     (Name::FieldRender, "Field_Render", Bool),
@@ -223,9 +232,9 @@ const TABLE: &[(Name, &str, Kind)] = &[
     (Name::GrayscaleOutput, "Grayscale_Output", Bool),
     (Name::Height, "Height", Int),
     (Name::HighReproducibility, "High_Reproducibility", Bool),
-    (Name::HistogramGridSize, "Histogram_Grid_Size", Text),
-    (Name::HistogramName, "Histogram_Name", Text),
-    (Name::HistogramType, "Histogram_Type", Text),
+    (Name::HistogramGridSize, "Histogram_Grid_Size", Kind::Obsolete),
+    (Name::HistogramName, "Histogram_Name", Kind::Obsolete),
+    (Name::HistogramType, "Histogram_Type", Kind::Obsolete),
     (Name::IncludeHeader, "Include_Header", Path),
     (Name::IncludeIni, "Include_Ini", Kind::Ini),
     (Name::InitialClock, "Initial_Clock", Float),
@@ -243,13 +252,13 @@ const TABLE: &[(Name, &str, Kind)] = &[
     (Name::OutputToFile, "Output_To_File", Bool),
     (Name::Palette, "Palette", Text),
     (Name::PauseWhenDone, "Pause_When_Done", Bool),
-    (Name::PostFrameCommand, "Post_Frame_Command", Text),
+    (Name::PostFrameCommand, "Post_Frame_Command", Kind::Command),
     (Name::PostFrameReturn, "Post_Frame_Return", Text),
-    (Name::PostSceneCommand, "Post_Scene_Command", Text),
+    (Name::PostSceneCommand, "Post_Scene_Command", Kind::Command),
     (Name::PostSceneReturn, "Post_Scene_Return", Text),
-    (Name::PreFrameCommand, "Pre_Frame_Command", Text),
+    (Name::PreFrameCommand, "Pre_Frame_Command", Kind::Command),
     (Name::PreFrameReturn, "Pre_Frame_Return", Text),
-    (Name::PreSceneCommand, "Pre_Scene_Command", Text),
+    (Name::PreSceneCommand, "Pre_Scene_Command", Kind::Command),
     (Name::PreSceneReturn, "Pre_Scene_Return", Text),
     (Name::PreviewEndSize, "Preview_End_Size", Int),
     (Name::PreviewStartSize, "Preview_Start_Size", Int),
@@ -275,7 +284,7 @@ const TABLE: &[(Name, &str, Kind)] = &[
     (Name::SubsetStartFrame, "Subset_Start_Frame", Float),
     (Name::TestAbort, "Test_Abort", Bool),
     (Name::TestAbortCount, "Test_Abort_Count", Int),
-    (Name::UserAbortCommand, "User_Abort_Command", Text),
+    (Name::UserAbortCommand, "User_Abort_Command", Kind::Command),
     (Name::UserAbortReturn, "User_Abort_Return", Text),
     (Name::Verbose, "Verbose", Bool),
     (Name::Version, "Version", Float),

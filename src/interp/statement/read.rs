@@ -88,7 +88,10 @@ impl Vm<'_> {
     /// Finds a file the scene names. It has to be there.
     pub(super) fn find_file(&mut self, name: &str, kind: FileKind, place: Span) -> Result<PathBuf> {
         let missing = match self.sources.library.find(name, kind) {
-            Some(path) if path.is_file() => return Ok(path),
+            Some(path) if path.is_file() => match self.sources.library.permissions.check_read(&path) {
+                Ok(()) => return Ok(path),
+                Err(error) => Missing::Unreadable(path, error),
+            },
             Some(path) => Missing::Folder(path),
             None => Missing::NotFound(self.sources.library.folders().map(Path::to_owned).collect()),
         };
