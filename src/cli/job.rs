@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::Problem;
 use super::animation::{Animation, Frame};
 use super::output::{Dither, Encoding, Format, Place};
-use super::povray::Restrictions;
+use super::restrictions::Restrictions;
 use super::settings::{Kind, Name, Settings};
 use super::shellout::Shellouts;
 use crate::math::Gamma;

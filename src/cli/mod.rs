@@ -10,6 +10,7 @@ pub mod picture;
 pub mod povray;
 mod problem;
 mod read;
+pub mod restrictions;
 mod resume;
 pub mod run;
 pub mod settings;

@@ -3,14 +3,13 @@
 use std::path::PathBuf;
 
 use super::job::Job;
-use super::run::Report;
 use super::state::{Found, State};
 use super::stop;
 use crate::options::Region;
 use crate::render::{Progress, Sample};
 
 /// Begins to keep what is finished of a picture, and finds what an earlier run has left of it.
-pub(super) fn begin(job: &Job, path: PathBuf, fingerprint: u64, report: &mut dyn Report) -> Option<State> {
+pub(super) fn begin(job: &Job, path: PathBuf, fingerprint: u64, say: &mut dyn FnMut(&str)) -> Option<State> {
     let name = path.display().to_string();
     match State::open(path, fingerprint, job.continue_trace) {
         Ok((state, found)) => {
@@ -18,16 +17,16 @@ pub(super) fn begin(job: &Job, path: PathBuf, fingerprint: u64, report: &mut dyn
                 Found::Nothing => {}
                 Found::Pixels(pixels) => {
                     let total = job.render.region.area();
-                    report.say(&format!("Continuing from {name}: {pixels} of {total} pixels are there."));
+                    say(&format!("Continuing from {name}: {pixels} of {total} pixels are there."));
                 }
-                Found::Another => report.say(&format!(
+                Found::Another => say(&format!(
                     "{name} is of another scene, size or way to render; the picture is begun anew."
                 )),
             }
             Some(state)
         }
         Err(error) => {
-            report.say(&format!("cannot keep {name}: {error}; the picture cannot be continued."));
+            say(&format!("cannot keep {name}: {error}; the picture cannot be continued."));
             None
         }
     }

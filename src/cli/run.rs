@@ -203,7 +203,7 @@ fn picture(
     let state = match (&place, &opened) {
         (Some(Place::File(path)), Some(Opened::File(_))) => {
             let fingerprint = state::fingerprint(&sources, &language, &job.render);
-            resume::begin(job, state::path_beside(path), fingerprint, report)
+            resume::begin(job, state::path_beside(path), fingerprint, &mut |text| report.say(text))
         }
         _ => None,
     };

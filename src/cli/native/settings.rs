@@ -6,7 +6,8 @@ use super::args::{Accel, Look, Render, Scene};
 use crate::cli::Problem;
 use crate::cli::job::Job;
 use crate::cli::output::Format;
-use crate::cli::povray::{Environment, Restrictions};
+use crate::cli::povray::Environment;
+use crate::cli::restrictions::Restrictions;
 use crate::cli::settings::{Name, Settings, Value};
 use crate::options::Accelerator;
 
@@ -39,7 +40,7 @@ pub(super) fn of_scene(scene: &Scene) -> Result<Settings, Problem> {
 /// # Errors
 /// The settings ask for what cannot be.
 pub(super) fn job(scene: &Scene, settings: &Settings) -> Result<Job, Problem> {
-    let mut job = Job::new(settings, Restrictions::read(&Environment::of_process()))?;
+    let mut job = Job::new(settings, Restrictions::read(Environment::of_process().home.as_deref()))?;
     if let Some(turns) = scene.max_turns {
         job.language.max_turns = turns;
     }

@@ -5,10 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::ini;
 use crate::cli::Problem;
+use crate::cli::restrictions::INSTALLED;
 use crate::cli::settings::{Name, Settings, Value};
-
-/// Folders under which POV-Ray's packages put its include files.
-pub(super) const INSTALLED: [&str; 2] = ["/usr/share/povray-3.7", "/usr/local/share/povray-3.7"];
 
 /// What the surroundings say about INI files and include folders.
 #[derive(Debug, Clone, Default)]

@@ -3,7 +3,6 @@
 mod console;
 mod ini;
 mod lookup;
-mod restrictions;
 mod streams;
 mod switch;
 mod words;
@@ -12,13 +11,13 @@ mod wrap;
 use std::io::Write;
 
 pub use lookup::Environment;
-pub use restrictions::Restrictions;
 pub use words::{is_povray, read};
 
 use super::exit;
 use super::failure::Failure;
 use super::job::Job;
 use super::problem::Problem;
+use super::restrictions::Restrictions;
 use super::run;
 use super::settings::{Name, Settings};
 use console::Console;
@@ -98,7 +97,7 @@ pub(super) fn job(words: &[String]) -> Result<(Settings, Job), Problem> {
         read(word, &mut settings)?;
     }
     environment.add_last_path(&mut settings);
-    let job = Job::new(&settings, Restrictions::read(&environment))?;
+    let job = Job::new(&settings, Restrictions::read(environment.home.as_deref()))?;
     if let Some(path) = settings.text(Name::CreateIni) {
         std::fs::write(path, settings.to_string())
             .map_err(|error| Problem::io("write", path.as_ref(), &error))?;

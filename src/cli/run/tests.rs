@@ -1,7 +1,8 @@
 //! Programs around a run, and pictures that are continued.
 
 use super::*;
-use crate::cli::povray::{self, Restrictions};
+use crate::cli::povray;
+use crate::cli::restrictions::Restrictions;
 use crate::cli::settings::{Name, Settings};
 use crate::diag::Stream;
 
@@ -165,7 +166,7 @@ fn a_continued_picture_is_the_same_to_the_byte() {
         let (scene, sources) = read::scene(&job, &job.first_language(), &mut Listener::default())
             .unwrap_or_else(|_| panic!("a scene"));
         let fingerprint = state::fingerprint(&sources, &job.first_language(), &job.render);
-        let kept = resume::begin(&job, state.clone(), fingerprint, &mut Listener::default());
+        let kept = resume::begin(&job, state.clone(), fingerprint, &mut |_| ());
         let world = compile::compile(scene, &job.render).world;
         render::render(&world, &job.render, &Resume::new(&(), kept.as_ref()));
         drop(kept);

@@ -6,9 +6,11 @@
 
 use std::path::{Path, PathBuf};
 
-use super::lookup::{Environment, INSTALLED};
-use crate::cli::settings::value;
+use super::settings::value;
 use crate::source::{Folder, Permissions};
+
+/// Folders under which POV-Ray's packages put its include files.
+pub(super) const INSTALLED: [&str; 2] = ["/usr/share/povray-3.7", "/usr/local/share/povray-3.7"];
 
 /// The file for all users.
 const SYSTEM: &str = "/etc/povray/3.7/povray.conf";
@@ -28,9 +30,8 @@ pub struct Restrictions {
 }
 
 impl Restrictions {
-    /// Reads the restrictions of this machine and this user.
-    pub fn read(environment: &Environment) -> Self {
-        let home = environment.home.as_deref();
+    /// Reads the restrictions of this machine and the user with this home.
+    pub fn read(home: Option<&Path>) -> Self {
         let mut warnings = Vec::new();
         let mut read = |path: &Path| {
             let text = std::fs::read_to_string(path).ok()?;
@@ -182,13 +183,12 @@ mod tests {
     #[test]
     fn a_users_file_restricts_and_nobodys_allows_nothing() {
         let folder = tempfile::tempdir().expect("a folder for the test");
-        let environment = Environment { home: Some(folder.path().to_owned()), ..Environment::default() };
-        let free = Restrictions::read(&environment);
+        let free = Restrictions::read(Some(folder.path()));
         assert_eq!(free.files, Permissions::default());
         std::fs::create_dir_all(folder.path().join(".povray/3.7")).expect("the folder takes folders");
         let text = "[File I/O Security]\nrestricted\n[Shellout Security]\nforbidden\n";
         std::fs::write(folder.path().join(USER), text).expect("the folder takes files");
-        let strict = Restrictions::read(&environment);
+        let strict = Restrictions::read(Some(folder.path()));
         assert!(!strict.shellouts);
         assert_eq!(strict.files, Permissions { read: Some(Vec::new()), write: Some(Vec::new()) });
     }
