@@ -8,6 +8,7 @@ pub mod noise;
 pub mod roots;
 pub mod spline;
 pub mod transform;
+pub mod wide;
 
 pub use bounds::Bounds;
 pub use color::{Rgb, Rgbft};

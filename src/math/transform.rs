@@ -87,26 +87,31 @@ impl Transform {
     }
 
     /// A point of the inner space seen from the outer one.
+    #[inline]
     pub fn point(&self, p: DVec3) -> DVec3 {
         self.forward.transform_point3(p)
     }
 
     /// A direction of the inner space seen from the outer one; its length changes with scale.
+    #[inline]
     pub fn vector(&self, v: DVec3) -> DVec3 {
         self.forward.transform_vector3(v)
     }
 
     /// A surface normal seen from the outer space: by the inverse transpose, not normalised.
+    #[inline]
     pub fn normal(&self, n: DVec3) -> DVec3 {
         self.inverse.matrix3.transpose() * n
     }
 
     /// A point of the outer space seen from the inner one.
+    #[inline]
     pub fn inverse_point(&self, p: DVec3) -> DVec3 {
         self.inverse.transform_point3(p)
     }
 
     /// A direction of the outer space seen from the inner one.
+    #[inline]
     pub fn inverse_vector(&self, v: DVec3) -> DVec3 {
         self.inverse.transform_vector3(v)
     }

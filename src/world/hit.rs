@@ -7,9 +7,10 @@ use super::accel::Accel;
 use super::object::{LeafFlags, Member, RayKind};
 use super::parts::{Object, Parts};
 use super::ray::{Range, Ray};
-use super::scratch::{Found, Scratch};
+use super::scratch::Found;
 use super::shape::{Crossing, Shape};
 use crate::math::DVec3;
+use crate::math::wide::widest;
 use crate::options::Accelerator;
 
 /// Where a ray meets a surface.
@@ -67,20 +68,30 @@ impl Geometry {
     /// distance the object declared first is seen (docs/spec/primitives.md 7.2).
     pub fn hit(&self, ray: &Ray, range: Range, kind: RayKind) -> Option<Hit> {
         let mut best: Option<Hit> = None;
-        Scratch::lend(|scratch| {
-            self.objects_along(ray, range, |number, object| {
-                // The end is moved behind the best hit so far, for the sake of ties.
-                let end = best.map_or(range.max, |best| best.t.next_up());
-                let ahead = Range { min: range.min, max: end };
-                if let Some(found) = self.parts.nearest(object.member, ray, ahead, kind, scratch) {
-                    let hit = Hit::new(found, number);
-                    if best.is_none_or(|best| hit.t < best.t || (hit.t == best.t && number < best.object)) {
-                        best = Some(hit);
-                    }
-                }
-                best.map_or(range.max, |best| best.t)
-            });
-        });
+        widest(
+            #[inline(always)]
+            || {
+                self.objects_along(
+                    ray,
+                    range,
+                    #[inline(always)]
+                    |number, object| {
+                        // The end is moved behind the best hit so far, for the sake of ties.
+                        let end = best.map_or(range.max, |best| best.t.next_up());
+                        let ahead = Range { min: range.min, max: end };
+                        if let Some(found) = self.parts.nearest(object.member, ray, ahead, kind) {
+                            let hit = Hit::new(found, number);
+                            if best.is_none_or(|best| {
+                                hit.t < best.t || (hit.t == best.t && number < best.object)
+                            }) {
+                                best = Some(hit);
+                            }
+                        }
+                        best.map_or(range.max, |best| best.t)
+                    },
+                );
+            },
+        );
         best
     }
 
@@ -89,26 +100,37 @@ impl Geometry {
     pub fn occluders(&self, ray: &Ray, range: Range, through: &mut Vec<Hit>) -> bool {
         through.clear();
         let mut blocked = false;
-        Scratch::lend(|scratch| {
-            self.objects_along(ray, range, |number, object| {
-                blocked = self.occluders_of(object, number, ray, range, scratch, through);
-                if blocked { f64::NEG_INFINITY } else { range.max }
+        widest(
+            #[inline(always)]
+            || {
+                self.objects_along(
+                    ray,
+                    range,
+                    #[inline(always)]
+                    |number, object| {
+                        blocked = self.occluders_of(object, number, ray, range, through);
+                        if blocked { f64::NEG_INFINITY } else { range.max }
+                    },
+                );
+            },
+        );
+        if through.len() > 1 {
+            through.sort_unstable_by(|a, b| {
+                a.t.total_cmp(&b.t).then(a.object.cmp(&b.object)).then(b.leaf.cmp(&a.leaf))
             });
-        });
-        through.sort_unstable_by(|a, b| {
-            a.t.total_cmp(&b.t).then(a.object.cmp(&b.object)).then(b.leaf.cmp(&a.leaf))
-        });
-        through.dedup_by(|next, kept| next.t - kept.t <= self.parts.slack(ray, kept.leaf, &kept.crossing));
+            through
+                .dedup_by(|next, kept| next.t - kept.t <= self.parts.slack(ray, kept.leaf, &kept.crossing));
+        }
         blocked
     }
 
+    #[inline(always)]
     fn occluders_of(
         &self,
         object: &Object,
         number: u32,
         ray: &Ray,
         range: Range,
-        scratch: &mut Scratch,
         through: &mut Vec<Hit>,
     ) -> bool {
         if let Member::Leaf(leaf) = object.member {
@@ -120,7 +142,7 @@ impl Geometry {
                 return leaf.primitive.occludes(&leaf.inner(ray), range);
             }
         }
-        self.parts.surface_along(object.member, ray, range, RayKind::SHADOW, scratch, |found| {
+        self.parts.surface_along(object.member, ray, range, RayKind::SHADOW, |found| {
             let opaque = self.parts.leaf(found.leaf).flags.contains(LeafFlags::OPAQUE);
             if !opaque {
                 through.push(Hit::new(found, number));
@@ -132,8 +154,7 @@ impl Geometry {
     /// How far a single object is, whoever it is hidden from.
     pub fn object_distance(&self, object: u32, ray: &Ray, range: Range) -> Option<f64> {
         let member = self.parts.objects[object as usize].member;
-        Scratch::lend(|scratch| self.parts.nearest(member, ray, range, RayKind::empty(), scratch))
-            .map(|found| found.t())
+        self.parts.nearest(member, ray, range, RayKind::empty()).map(|found| found.t())
     }
 
     /// The objects that contain `point`, in the order of the text.
@@ -152,6 +173,7 @@ impl Geometry {
         containers
     }
 
+    #[inline(always)]
     fn objects_along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32, &Object) -> f64) {
         let mut end = range.max;
         for &number in &self.unbounded {

@@ -77,8 +77,14 @@ pub struct Leaf {
 
 impl Leaf {
     /// The ray in the primitive's space.
+    #[inline(always)]
     pub(super) fn inner(&self, ray: &Ray) -> Ray {
         self.transform.as_ref().map_or(*ray, |transform| ray.to_inner(transform))
+    }
+
+    /// Whether it is a solid that any line is inside of on one stretch, and nothing cuts it.
+    pub(super) fn is_convex(&self) -> bool {
+        self.primitive.is_convex() && self.flags.contains(LeafFlags::SOLID) && self.limits.is_none()
     }
 
     /// The point in the primitive's space.

@@ -37,6 +37,10 @@ pub struct Group {
     pub(super) unbounded: Vec<Member>,
     /// Members that decide about points outside of their boxes.
     pub(super) wide: Vec<Member>,
+    /// How many of the bounded members do so.
+    pub(super) deciders: u32,
+    /// Of an intersection: the place of a bounded convex solid, which no other member can exceed.
+    pub(super) core: Option<u32>,
 }
 
 impl Group {
@@ -48,16 +52,20 @@ impl Group {
             Operation::Union | Operation::Merge => Extent::union(extents),
         };
         let is_finite = |member: Member| parts.extent(member).bounds.is_finite();
+        let decides = |member: Member| parts.extent(member).beyond == operation.decisive();
+        let is_core = |&&member: &&Member| match member {
+            Member::Leaf(number) => is_finite(member) && decides(member) && parts.leaf(number).is_convex(),
+            Member::Group(_) => false,
+        };
+        let core = members.iter().position(|member| is_core(&member)).map(|place| place as u32);
         let boxes = (0..).zip(&members).filter(|&(_, &member)| is_finite(member));
         let boxes = boxes.map(|(place, &member)| (parts.extent(member).bounds, place)).collect();
         Self {
             bounded: Accel::new(boxes, accelerator),
             unbounded: members.iter().copied().filter(|&m| !is_finite(m)).collect(),
-            wide: members
-                .iter()
-                .copied()
-                .filter(|&m| !is_finite(m) || parts.extent(m).beyond == operation.decisive())
-                .collect(),
+            wide: members.iter().copied().filter(|&m| !is_finite(m) || decides(m)).collect(),
+            deciders: members.iter().filter(|&&m| is_finite(m) && decides(m)).count() as u32,
+            core: core.filter(|_| operation == Operation::Intersection),
             operation,
             members,
             extent,
@@ -122,13 +130,6 @@ impl Parts {
         match member {
             Member::Leaf(number) => self.leaf(number).limits.as_deref(),
             Member::Group(number) => self.group(number).limits.as_deref(),
-        }
-    }
-
-    pub(super) fn parent(&self, member: Member) -> Option<u32> {
-        match member {
-            Member::Leaf(number) => self.leaf(number).parent,
-            Member::Group(number) => self.group(number).parent,
         }
     }
 }

@@ -19,6 +19,7 @@ impl Ray {
     }
 
     /// The point at distance `t`.
+    #[inline]
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + t * self.direction
     }
@@ -27,6 +28,7 @@ impl Ray {
     ///
     /// Solving from there instead of from a far origin keeps the digits that `origin - center` would
     /// eat; the new origin is rounded only once.
+    #[inline]
     pub fn moved_to(&self, center: DVec3) -> (f64, Self) {
         let t = (center - self.origin).dot(self.direction) / self.direction.length_squared();
         if !t.is_finite() {
@@ -36,6 +38,7 @@ impl Ray {
     }
 
     /// The same ray in the inner space of `transform`.
+    #[inline]
     pub fn to_inner(&self, transform: &Transform) -> Self {
         Self {
             origin: transform.inverse_point(self.origin),
@@ -60,6 +63,7 @@ impl Range {
     pub const LINE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
 
     /// Whether `t` is strictly inside.
+    #[inline]
     pub fn contains(self, t: f64) -> bool {
         self.min < t && t < self.max
     }

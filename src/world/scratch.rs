@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 
+use super::csg::Near;
 use super::shape::Crossing;
 
 /// A crossing and the leaf it belongs to.
@@ -9,6 +10,8 @@ use super::shape::Crossing;
 pub(super) struct Found {
     pub(super) crossing: Crossing,
     pub(super) leaf: u32,
+    /// The leaf's place among the members near the ray, where it is part of an object of many.
+    pub(super) near: u32,
 }
 
 impl Found {
@@ -24,6 +27,8 @@ pub(super) struct Scratch {
     pub(super) crossings: Vec<Crossing>,
     /// Of the object at hand.
     pub(super) found: Vec<Found>,
+    /// Members of the object at hand that are near the ray.
+    pub(super) near: Vec<Near>,
 }
 
 thread_local! {

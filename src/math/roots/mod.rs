@@ -10,6 +10,7 @@ pub use bracket::between;
 pub use polynomial::{Roots, roots_between};
 
 /// `a b - c d` with an error below 2 units in the last place (Kahan; Jeannerod et al. 2013).
+#[inline]
 pub fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let cd = c * d;
     (a.mul_add(b, -cd)) + (-c).mul_add(d, cd)
@@ -19,11 +20,13 @@ pub fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
 ///
 /// `None` where there is none, or where every `t` is one. A linear equation gives its root and an
 /// infinity of the sign in which the second root was lost.
+#[inline]
 pub fn quadratic(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
     with_discriminant(a, b, c, difference_of_products(b, b, a, c))
 }
 
 /// As [`quadratic`], where the caller knows a better way to the discriminant `b² - a c`.
+#[inline]
 pub fn with_discriminant(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> {
     if a == 0.0 && b == 0.0 || discriminant.is_nan() || discriminant < 0.0 {
         return None;

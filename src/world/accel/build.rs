@@ -1,8 +1,11 @@
 //! Builds a tree of boxes from the top down, splitting where the surface area heuristic expects
-//! the least work. Nodes are made four wide at once: the part with the largest area is split
-//! until there are four.
+//! the least work. Nodes are made eight wide at once: the part with the largest area is split
+//! until there are eight.
 
-use super::bvh::WIDTH;
+use rayon::prelude::*;
+use smallvec::SmallVec;
+
+use super::bvh::{Node, WIDTH};
 use crate::math::{Bounds, DVec3};
 
 /// Centres are sorted into this many slices along each axis.
@@ -10,6 +13,9 @@ const BINS: usize = 16;
 
 /// Below this depth parts are halved by count, which bounds the depth of the tree.
 const DEPTH_OF_HEURISTIC: u32 = 24;
+
+/// Parts with more items are built beside each other.
+const MANY: usize = 2048;
 
 /// An item on its way into the tree.
 #[derive(Clone, Copy, Debug)]
@@ -25,21 +31,104 @@ impl Item {
     }
 }
 
-/// Cuts `items` into one to [`WIDTH`] parts and hands them out with their boxes.
-pub(super) fn parts(items: &mut [Item], depth: u32) -> Vec<(Bounds, &mut [Item])> {
+/// What is below a node.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Child {
+    /// The number of another node.
+    Node(u32),
+    /// Items by their place in the order of the tree.
+    Run { first: u32, length: u32 },
+}
+
+/// A part of the items: where it starts among all, and its box.
+struct Part<'a> {
+    first: usize,
+    items: &'a mut [Item],
+    bounds: Bounds,
+}
+
+/// The nodes over at least one item, the root first. Brings the items into the order in which the
+/// leaves, runs of up to `longest`, count them.
+pub(super) fn tree<F>(items: &mut [Item], longest: usize, node: &F) -> Vec<Node>
+where
+    F: Fn(&[(Bounds, Child)]) -> Node + Sync,
+{
     let bounds = around(items);
-    let mut parts = vec![(bounds, items)];
+    let mut nodes = Vec::with_capacity(items.len() / longest / 3 + 1);
+    grow(Part { first: 0, items, bounds }, 0, longest, node, &mut nodes);
+    nodes
+}
+
+/// Appends the subtree of a part and answers its number.
+fn grow<F>(part: Part, depth: u32, longest: usize, node: &F, nodes: &mut Vec<Node>) -> u32
+where
+    F: Fn(&[(Bounds, Child)]) -> Node + Sync,
+{
+    let number = nodes.len();
+    let many = part.items.len() > MANY;
+    let parts = parts(part, depth, longest);
+    let mut children: SmallVec<[(Bounds, Child); WIDTH]> = SmallVec::new();
+    // Its place is taken before its children's.
+    nodes.push(Node::EMPTY);
+    let subtrees: Vec<(Bounds, Result<Child, Vec<Node>>)> = if many {
+        let grown = |part: Part| {
+            let bounds = part.bounds;
+            let child = leaf(&part, longest).ok_or_else(|| {
+                let mut below = Vec::new();
+                grow(part, depth + 1, longest, node, &mut below);
+                below
+            });
+            (bounds, child)
+        };
+        parts.into_vec().into_par_iter().map(grown).collect()
+    } else {
+        let grown = |part: Part| {
+            let bounds = part.bounds;
+            let child = leaf(&part, longest);
+            (bounds, Ok(child.unwrap_or_else(|| Child::Node(grow(part, depth + 1, longest, node, nodes)))))
+        };
+        parts.into_iter().map(grown).collect()
+    };
+    for (bounds, child) in subtrees {
+        let child = child.unwrap_or_else(|below| {
+            let offset = nodes.len() as u32;
+            nodes.extend(below.into_iter().map(|node| node.moved(offset)));
+            Child::Node(offset)
+        });
+        children.push((bounds, child));
+    }
+    nodes[number] = node(&children);
+    number as u32
+}
+
+/// The part as a leaf, if it is small enough.
+fn leaf(part: &Part, longest: usize) -> Option<Child> {
+    let length = part.items.len();
+    (length <= longest).then_some(Child::Run { first: part.first as u32, length: length as u32 })
+}
+
+/// Cuts a part into one to [`WIDTH`].
+fn parts(part: Part, depth: u32, longest: usize) -> SmallVec<[Part; WIDTH]> {
+    let mut parts = SmallVec::new();
+    if longest == 1 && part.items.len() <= WIDTH {
+        for (place, items) in part.items.chunks_mut(1).enumerate() {
+            parts.push(Part { first: part.first + place, bounds: items[0].bounds, items });
+        }
+        return parts;
+    }
+    parts.push(part);
     while parts.len() < WIDTH {
         let largest = (0..parts.len())
-            .filter(|&i| parts[i].1.len() > 1)
-            .max_by(|&a, &b| parts[a].0.half_area().total_cmp(&parts[b].0.half_area()));
+            .filter(|&i| parts[i].items.len() > longest)
+            .max_by(|&a, &b| parts[a].bounds.half_area().total_cmp(&parts[b].bounds.half_area()));
         let Some(largest) = largest else {
             break;
         };
-        let (_, items) = parts.swap_remove(largest);
+        let Part { first, items, .. } = parts.swap_remove(largest);
         let (left, right) = split(items, depth);
-        parts.push((around(left), left));
-        parts.push((around(right), right));
+        let middle = first + left.len();
+        parts.push(Part { first, bounds: around(left), items: left });
+        parts.push(Part { first: middle, bounds: around(right), items: right });
     }
     parts
 }

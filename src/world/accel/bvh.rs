@@ -1,10 +1,12 @@
-//! A tree of boxes, four to a node and one item to a leaf.
+//! A tree of boxes, eight to a node, with runs of items at its leaves.
 //!
 //! Boxes are single precision, relative to the middle and size of the whole and rounded outward;
 //! rays are moved up to the whole box first. So neither a far camera nor a scene far from the
 //! origin loosens the tests, and no item that double precision would find is missed.
 
-use glam::Vec4;
+use std::ops::Range as Span;
+
+use glam::{BVec4A, Vec4};
 use smallvec::SmallVec;
 
 use super::build::{self, Item};
@@ -13,10 +15,16 @@ use crate::math::{Bounds, DVec3};
 use crate::world::ray::{Range, Ray};
 
 /// Children of a node.
-pub(super) const WIDTH: usize = 4;
+pub(super) const WIDTH: usize = 8;
 
-/// Marks a child that is an item.
+/// Marks a child that is a run of items.
 const LEAF: u32 = 1 << 31;
+
+/// Where in a leaf's mark the length of its run stands, less one; its first item stands below.
+const LENGTH: u32 = 28;
+
+/// The longest run of a leaf.
+pub(super) const LONGEST_RUN: usize = 8;
 
 /// Bound on the rounding errors of single precision tests, relative to the terms of each.
 const SLACK: f32 = 8.0 * f32::EPSILON;
@@ -31,7 +39,7 @@ const LEAST_DIRECTION: f32 = 1e-30;
 const STACK: usize = 64;
 
 /// A tree over bounded items.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Bvh {
     nodes: Vec<Node>,
     whole: Bounds,
@@ -39,53 +47,78 @@ pub struct Bvh {
     scale: f64,
 }
 
-/// Four boxes side by side; missing children have empty ones.
+/// One number of each child of a node, side by side.
+type Lanes = [Vec4; WIDTH / 4];
+
+/// Eight boxes side by side; missing children have empty ones.
 #[derive(Clone, Copy, Debug)]
-struct Node {
-    min: [Vec4; 3],
-    max: [Vec4; 3],
+#[repr(C, align(32))]
+pub(super) struct Node {
+    /// The low faces along x, y and z, then the high ones.
+    faces: [Lanes; 6],
     children: [u32; WIDTH],
 }
 
 impl Node {
-    const EMPTY: Self =
-        Self { min: [Vec4::INFINITY; 3], max: [Vec4::NEG_INFINITY; 3], children: [u32::MAX; WIDTH] };
+    /// No children yet.
+    pub(super) const EMPTY: Self = {
+        let (low, high) = ([Vec4::INFINITY; 2], [Vec4::NEG_INFINITY; 2]);
+        Self { faces: [low, low, low, high, high, high], children: [u32::MAX; WIDTH] }
+    };
+
+    /// The same node in a tree whose numbers start at `offset`.
+    pub(super) fn moved(mut self, offset: u32) -> Self {
+        for child in self.children.iter_mut().filter(|child| **child & LEAF == 0) {
+            *child += offset;
+        }
+        self
+    }
 }
 
 impl Bvh {
-    /// Takes at least one item, all bounded.
+    /// Takes items, all bounded, and asks about them by the numbers they have.
     pub fn new(items: Vec<(Bounds, u32)>) -> Self {
-        let whole = items.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(*bounds));
-        let scale = 2.0 / whole.size().max_element();
-        let mut bvh = Self {
-            nodes: Vec::with_capacity(items.len() / 2),
-            whole,
-            center: whole.center(),
-            scale: if scale.is_finite() { scale } else { 1.0 },
-        };
-        let mut items: Vec<Item> = items.into_iter().map(Item::new).collect();
-        bvh.node(&mut items, 0);
+        let (mut bvh, order) = Self::with_runs(items, 1);
+        let leaves = bvh.nodes.iter_mut().flat_map(|node| &mut node.children);
+        for child in leaves.filter(|child| **child & LEAF != 0 && **child != u32::MAX) {
+            *child = LEAF | order[(*child & !LEAF) as usize];
+        }
         bvh
     }
 
-    /// Appends the subtree of `items` and answers its number.
-    fn node(&mut self, items: &mut [Item], depth: u32) -> u32 {
-        let number = self.nodes.len();
-        self.nodes.push(Node::EMPTY);
-        for (lane, (bounds, items)) in build::parts(items, depth).into_iter().enumerate() {
-            let child = match items {
-                [item] => item.number | LEAF,
-                _ => self.node(items, depth + 1),
-            };
+    /// Keeps up to `longest` items together, at most [`LONGEST_RUN`]. Answers also the numbers of
+    /// the items in the order in which the tree counts them from then on.
+    pub fn with_runs(items: Vec<(Bounds, u32)>, longest: usize) -> (Self, Vec<u32>) {
+        let whole = items.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(*bounds));
+        let scale = 2.0 / whole.size().max_element();
+        let mut bvh = Self {
+            nodes: Vec::new(),
+            whole,
+            center: if items.is_empty() { DVec3::ZERO } else { whole.center() },
+            scale: if scale.is_finite() { scale } else { 1.0 },
+        };
+        let mut items: Vec<Item> = items.into_iter().map(Item::new).collect();
+        if !items.is_empty() {
+            bvh.nodes = build::tree(&mut items, longest.min(LONGEST_RUN), &|children| bvh.node(children));
+        }
+        (bvh, items.into_iter().map(|item| item.number).collect())
+    }
+
+    /// The node of up to [`WIDTH`] children and their boxes.
+    fn node(&self, children: &[(Bounds, build::Child)]) -> Node {
+        let mut node = Node::EMPTY;
+        for (lane, (bounds, child)) in children.iter().enumerate() {
             let (low, high) = (self.inner(bounds.min), self.inner(bounds.max));
-            let node = &mut self.nodes[number];
-            node.children[lane] = child;
+            node.children[lane] = match *child {
+                build::Child::Node(number) => number,
+                build::Child::Run { first, length } => LEAF | (length - 1) << LENGTH | first,
+            };
             for axis in 0..3 {
-                node.min[axis][lane] = rounded_down(low[axis]);
-                node.max[axis][lane] = rounded_up(high[axis]);
+                node.faces[axis][lane / 4][lane % 4] = rounded_down(low[axis]);
+                node.faces[axis + 3][lane / 4][lane % 4] = rounded_up(high[axis]);
             }
         }
-        number as u32
+        node
     }
 
     /// A point in the space of the boxes.
@@ -94,45 +127,78 @@ impl Bvh {
     }
 
     /// See [`Accel::along`](super::Accel::along).
+    #[inline(always)]
     pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> f64) {
+        self.search(ray, range, |leaf| visit(leaf & !LEAF));
+    }
+
+    /// As [`Bvh::along`], for runs of items.
+    #[inline(always)]
+    pub fn runs_along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Span<usize>) -> f64) {
+        self.search(ray, range, |leaf| visit(run(leaf)));
+    }
+
+    #[inline(always)]
+    fn search(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> f64) {
         let slabs = Slabs::new(ray);
-        if !slabs.meet(&self.whole, range) {
+        let Some(entry) = slabs.entry(&self.whole, range).filter(|_| !self.nodes.is_empty()) else {
             return;
-        }
-        let start = slabs.entry(&self.whole).max(range.min).max(0.0);
+        };
+        let start = entry.max(range.min);
         // What rounding in double precision did to the origin, seen in the space of the boxes.
         let blur = 1.0 + (ray.origin.abs().max_element() + self.center.abs().max_element()) * self.scale;
-        let probe = Probe::new(self.inner(ray.at(start)), ray.direction, (blur * BLUR) as f32);
+        let stretch = ray.direction.abs().max_element();
+        let probe = Probe::new(self.inner(ray.at(start)), ray.direction / stretch, (blur * BLUR) as f32);
         // Distances beyond `start`, in the space of the boxes.
-        let inner = |t: f64| rounded_up((t + t.abs() * BLUR - start) * self.scale);
+        let scale = self.scale * stretch;
+        let inner = |t: f64| rounded_up((t + t.abs() * BLUR - start) * scale);
         let mut far = inner(range.max);
-        let mut stack: SmallVec<[(u32, f32); STACK]> = SmallVec::new();
-        stack.push((0, 0.0));
-        while let Some((child, near)) = stack.pop() {
-            if near > far {
-                continue;
-            }
+        let mut stack: SmallVec<[Waiting; STACK]> = SmallVec::new();
+        let mut next = Waiting::new(0.0, 0);
+        loop {
+            let child = next.child();
             if child & LEAF != 0 {
-                let end = visit(child & !LEAF);
+                let end = visit(child);
                 if end == f64::NEG_INFINITY {
                     return;
                 }
                 far = inner(end);
-                continue;
-            }
-            let node = &self.nodes[child as usize];
-            let (near, met) = probe.test(node, far);
-            let bottom = stack.len();
-            for lane in 0..WIDTH {
-                if met & 1 << lane != 0 {
-                    stack.push((node.children[lane], near[lane]));
+            } else {
+                let node = &self.nodes[child as usize];
+                let (near, mut met) = probe.test(node, far);
+                let mut take = || {
+                    let lane = (met.trailing_zeros() as usize) % WIDTH;
+                    let some = met != 0;
+                    met &= met.wrapping_sub(1);
+                    some.then(|| Waiting::new(near[lane / 4][lane % 4], node.children[lane]))
+                };
+                if let Some(first) = take() {
+                    next = first;
+                    let bottom = stack.len();
+                    while let Some(other) = take() {
+                        stack.push(other.max(next));
+                        next = other.min(next);
+                    }
+                    if stack.len() > bottom + 1 {
+                        far_first(&mut stack[bottom..]);
+                    }
+                    continue;
                 }
             }
-            stack[bottom..].sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
+            loop {
+                let Some(waiting) = stack.pop() else {
+                    return;
+                };
+                if waiting.distance() <= far {
+                    next = waiting;
+                    break;
+                }
+            }
         }
     }
 
     /// See [`Accel::any_around`](super::Accel::any_around).
+    #[inline(always)]
     pub fn any_around(&self, point: DVec3, mut test: impl FnMut(u32) -> bool) -> bool {
         if !self.whole.contains(point) {
             return false;
@@ -151,13 +217,64 @@ impl Bvh {
             let node = &self.nodes[child as usize];
             let mut around = !0;
             for axis in 0..3 {
-                around &= node.min[axis].cmple(Vec4::splat(high[axis])).bitmask()
-                    & node.max[axis].cmpge(Vec4::splat(low[axis])).bitmask();
+                let (low, high) = (Vec4::splat(low[axis]), Vec4::splat(high[axis]));
+                around &=
+                    mask(|half| node.faces[axis][half].cmple(high) & node.faces[axis + 3][half].cmpge(low));
             }
-            stack.extend((0..WIDTH).filter(|lane| around & 1 << lane != 0).map(|lane| node.children[lane]));
+            while around != 0 {
+                stack.push(node.children[around.trailing_zeros() as usize % WIDTH]);
+                around &= around - 1;
+            }
         }
         false
     }
+}
+
+/// The items of a leaf.
+#[inline(always)]
+fn run(leaf: u32) -> Span<usize> {
+    let first = (leaf & ((1 << LENGTH) - 1)) as usize;
+    first..first + 1 + (leaf >> LENGTH & (LONGEST_RUN as u32 - 1)) as usize
+}
+
+/// Orders a few children so that the nearest is taken from the stack first.
+#[inline(always)]
+fn far_first(children: &mut [Waiting]) {
+    for end in 1..children.len() {
+        let mut place = end;
+        while place > 0 && children[place - 1] < children[place] {
+            children.swap(place - 1, place);
+            place -= 1;
+        }
+    }
+}
+
+/// A child and the distance of its box, ordered by the latter.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Waiting(u64);
+
+impl Waiting {
+    /// The distance is not negative, so its bits have the order of the numbers.
+    #[inline(always)]
+    fn new(distance: f32, child: u32) -> Self {
+        Self(u64::from(distance.to_bits()) << 32 | u64::from(child))
+    }
+
+    #[inline(always)]
+    fn distance(self) -> f32 {
+        f32::from_bits((self.0 >> 32) as u32)
+    }
+
+    #[inline(always)]
+    fn child(self) -> u32 {
+        self.0 as u32
+    }
+}
+
+/// The bits of the lanes that pass, four at a time.
+#[inline(always)]
+fn mask(pass: impl Fn(usize) -> BVec4A) -> u32 {
+    pass(0).bitmask() | pass(1).bitmask() << 4
 }
 
 /// A ray in the space of the boxes.
@@ -167,10 +284,13 @@ struct Probe {
     near: [Vec4; 3],
     far: [Vec4; 3],
     inverse: [Vec4; 3],
-    backward: [bool; 3],
+    /// Which of a node's faces are met first along each axis, and which last.
+    first: [usize; 3],
+    last: [usize; 3],
 }
 
 impl Probe {
+    #[inline(always)]
     fn new(origin: DVec3, direction: DVec3, blur: f32) -> Self {
         let inverse = direction.to_array().map(|d| {
             let d = d as f32;
@@ -182,38 +302,41 @@ impl Probe {
                 Vec4::splat(o + (o.abs() * SLACK + blur) * toward.copysign(toward * inverse[axis]))
             })
         };
+        let backward = inverse.map(|i| usize::from(i < 0.0));
         Self {
             near: moved(1.0),
             far: moved(-1.0),
             inverse: inverse.map(Vec4::splat),
-            backward: inverse.map(|i| i < 0.0),
+            first: std::array::from_fn(|axis| axis + 3 * backward[axis]),
+            last: std::array::from_fn(|axis| axis + 3 - 3 * backward[axis]),
         }
     }
 
-    /// Entry distances and the mask of the boxes met before `far`.
-    fn test(&self, node: &Node, far: f32) -> (Vec4, u32) {
-        let (mut entry, mut exit) = (Vec4::ZERO, Vec4::splat(far));
+    /// Entry distances, none negative, and the bits of the boxes met before `far`.
+    #[inline(always)]
+    fn test(&self, node: &Node, far: f32) -> (Lanes, u32) {
+        let (mut entry, mut exit) = ([Vec4::ZERO; 2], [Vec4::splat(far); 2]);
         for axis in 0..3 {
-            let (first, last) = if self.backward[axis] {
-                (node.max[axis], node.min[axis])
-            } else {
-                (node.min[axis], node.max[axis])
-            };
-            entry = entry.max((first - self.near[axis]) * self.inverse[axis]);
-            exit = exit.min((last - self.far[axis]) * self.inverse[axis]);
+            let (first, last) = (&node.faces[self.first[axis] % 6], &node.faces[self.last[axis] % 6]);
+            for half in 0..2 {
+                entry[half] = entry[half].max((first[half] - self.near[axis]) * self.inverse[axis]);
+                exit[half] = exit[half].min((last[half] - self.far[axis]) * self.inverse[axis]);
+            }
         }
-        let entry = entry * (1.0 - SLACK);
-        (entry, entry.cmple(exit * (1.0 + SLACK)).bitmask())
+        let entry = entry.map(|t| t * (1.0 - SLACK));
+        (entry, mask(|half| entry[half].cmple(exit[half] * (1.0 + SLACK))))
     }
 }
 
 /// The greatest single precision number that is not above `x`.
+#[inline(always)]
 fn rounded_down(x: f64) -> f32 {
     let y = x as f32;
     if f64::from(y) > x { y.next_down() } else { y }
 }
 
 /// The least single precision number that is not below `x`.
+#[inline(always)]
 fn rounded_up(x: f64) -> f32 {
     let y = x as f32;
     if f64::from(y) < x { y.next_up() } else { y }

@@ -52,18 +52,22 @@ impl Slabs {
     }
 
     /// Whether the box and the part of the ray in `range` share a point, or nearly so.
+    #[inline(always)]
     pub fn meet(&self, bounds: &Bounds, range: Range) -> bool {
-        let (near, far) = self.overlap(bounds);
-        let (near, far) = (near.max(range.min), far.min(range.max));
-        near - near.abs() * SLACK <= far + far.abs() * SLACK
+        self.entry(bounds, range).is_some()
     }
 
-    /// Where the ray enters the box; behind its origin if it starts inside. Only for boxes it meets.
-    pub fn entry(&self, bounds: &Bounds) -> f64 {
-        self.overlap(bounds).0
+    /// Where the ray enters a box that it meets in `range`; behind its origin if it starts inside.
+    #[inline(always)]
+    pub fn entry(&self, bounds: &Bounds, range: Range) -> Option<f64> {
+        let (entry, exit) = self.overlap(bounds);
+        let (near, far) = (entry.max(range.min), exit.min(range.max));
+        (near - near.abs() * SLACK <= far + far.abs() * SLACK).then_some(entry)
     }
 
-    fn overlap(&self, bounds: &Bounds) -> (f64, f64) {
+    /// Where the line enters the box and where it leaves; the wrong way round for a miss.
+    #[inline(always)]
+    pub fn overlap(&self, bounds: &Bounds) -> (f64, f64) {
         let low = (bounds.min - self.origin) * self.inverse;
         let high = (bounds.max - self.origin) * self.inverse;
         // 0 * infinity: the ray lies in the plane of a face and never leaves the slab.

@@ -43,6 +43,7 @@ impl Accel {
 
     /// Calls `visit` with the items whose boxes meet the ray in `range`, roughly the nearest first.
     /// It answers with the new far end of the range; negative infinity ends the search.
+    #[inline(always)]
     pub fn along(&self, ray: &Ray, range: Range, visit: impl FnMut(u32) -> f64) {
         match self {
             Self::Linear(linear) => linear.along(ray, range, visit),
@@ -51,6 +52,7 @@ impl Accel {
     }
 
     /// Whether `test` holds for any of the items whose boxes contain `point`.
+    #[inline(always)]
     pub fn any_around(&self, point: DVec3, test: impl FnMut(u32) -> bool) -> bool {
         match self {
             Self::Linear(linear) => linear.any_around(point, test),

@@ -37,8 +37,8 @@ fn nearest(accel: &Accel, boxes: &[(Bounds, u32)], ray: &Ray) -> Option<(f64, u3
     let mut best: Option<(f64, u32)> = None;
     accel.along(ray, Range::AHEAD, |item| {
         let bounds = boxes[item as usize].0;
-        if slabs.meet(&bounds, Range::AHEAD) {
-            let hit = (slabs.entry(&bounds).max(0.0), item);
+        if let Some(entry) = slabs.entry(&bounds, Range::AHEAD) {
+            let hit = (entry.max(0.0), item);
             if best.is_none_or(|best| hit < best) {
                 best = Some(hit);
             }

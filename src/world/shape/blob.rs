@@ -1,10 +1,10 @@
 //! `blob` (docs/spec/primitives.md 5.1).
 
-use super::mesh::bvh::Bvh;
 use super::stretch::Stretch;
 use super::{Crossing, OWN_TEXTURE, Shape};
 use crate::math::roots::{between, roots_between, with_discriminant};
 use crate::math::{Bounds, DAffine3, DVec3, Transform};
+use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
 /// The surface on which the fields of all parts add up to a threshold; inside they are stronger.
@@ -130,14 +130,14 @@ impl Blob {
     /// From parts of any size. Parts without strength are left out.
     pub fn new(mut parts: Vec<Part>, threshold: f64) -> Self {
         parts.retain(|part| part.strength != 0.0 && part.bounds.is_finite());
-        let boxes: Vec<_> = parts.iter().map(|part| part.bounds).collect();
+        let boxes = (0..).zip(&parts).map(|(number, part)| (part.bounds, number)).collect();
         let strong = parts.iter().filter(|part| part.strength > 0.0);
         let bounds = if threshold > 0.0 {
             strong.fold(Bounds::EMPTY, |all, part| all.union(part.bounds))
         } else {
             Bounds::ALL
         };
-        Self { bvh: Bvh::new(&boxes), parts, threshold, bounds }
+        Self { bvh: Bvh::new(boxes), parts, threshold, bounds }
     }
 
     /// Strength at a point above the threshold, and the gradient.
@@ -152,12 +152,13 @@ impl Blob {
 
     /// Calls back with every part whose field reaches a point.
     fn around(&self, point: DVec3, mut found: impl FnMut(&Part, f64, DVec3)) {
-        self.bvh.visit_point(point, |part| {
+        self.bvh.any_around(point, |part| {
             let part = &self.parts[part as usize];
             let (field, gradient) = part.field(point);
             if field != 0.0 {
                 found(part, field, gradient);
             }
+            false
         });
     }
 
@@ -166,9 +167,9 @@ impl Blob {
         let center = if self.bounds.is_finite() { self.bounds.center() } else { DVec3::ZERO };
         let (shift, ray) = ray.moved_to(center);
         let mut spans = Vec::new();
-        self.bvh.visit(&ray, Range::LINE, |part, _| {
+        self.bvh.along(&ray, Range::LINE, |part| {
             spans.extend(self.parts[part as usize].meet(&ray));
-            None
+            f64::INFINITY
         });
         let mut events: Vec<f64> = spans.iter().flat_map(|span| [span.enter, span.leave]).collect();
         events.sort_by(f64::total_cmp);

@@ -16,6 +16,7 @@ pub struct Cuboid {
 
 impl Cuboid {
     /// Where faces meet, the one that faces the ray most gives the part, as in POV-Ray.
+    #[inline]
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let mut all = Stretch::LINE;
         let (mut enter_slope, mut leave_slope) = (0.0, 0.0);
@@ -59,6 +60,7 @@ impl Shape for Cuboid {
         }
     }
 
+    #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         self.stretch(ray)?.nearest(range)
     }

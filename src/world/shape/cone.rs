@@ -87,6 +87,7 @@ impl Shape for Cone {
         }
     }
 
+    #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let counts = |end: &Crossing| range.contains(end.t) && !(self.open && end.part != SIDE);
         self.stretches(ray).into_iter().flatten().flat_map(|s| [s.enter, s.leave]).find(counts)

@@ -52,7 +52,8 @@ impl Cylinder {
         Stretch::new(enter, SIDE, leave, SIDE)
     }
 
-    fn stretch(&self, ray: &Ray) -> Option<Stretch> {
+    #[inline]
+    pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let (sides, ends) = (Self::between_sides(ray)?, between_ends(ray)?);
         if self.open { ends.meet(sides) } else { sides.meet(ends) }
     }
@@ -73,6 +74,7 @@ impl Shape for Cylinder {
         }
     }
 
+    #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let stretch = self.stretch(ray)?;
         let counts = |end: &Crossing| range.contains(end.t) && !(self.open && end.part != SIDE);

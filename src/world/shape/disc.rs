@@ -30,6 +30,7 @@ impl Shape for Disc {
         out.extend(self.nearest(ray, range));
     }
 
+    #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let t = -ray.origin.z / ray.direction.z;
         if !range.contains(t) {

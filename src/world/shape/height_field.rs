@@ -1,9 +1,10 @@
 //! `height_field` (docs/spec/primitives.md 5.4).
 
-use super::mesh::bvh::Bvh;
 use super::triangle::{Meeting, Sheared, face_normal};
 use super::{Crossing, Shape};
+use crate::math::wide::widest;
 use crate::math::{Bounds, DVec3};
+use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
 /// Two triangles over each cell of a grid on the unit square in x and z.
@@ -27,7 +28,7 @@ pub struct HeightField {
 }
 
 /// Cells along each side of a block.
-const BLOCK: usize = 4;
+const BLOCK: usize = 2;
 
 /// Samples that make a height of 1.
 const FULL: f64 = 65536.0;
@@ -44,14 +45,15 @@ impl HeightField {
             return None;
         }
         let blocks = [width, depth].map(|samples| (samples - 1).div_ceil(BLOCK));
-        let bvh = Bvh::new(&[]);
+        let bvh = Bvh::new(Vec::new());
         let bounds = Bounds::EMPTY;
         let field = Self { size, heights, water, smooth, bounds, bvh, blocks: blocks[0] };
-        let boxes: Vec<_> = (0..blocks[0] * blocks[1]).map(|block| field.block(block)).collect();
-        let mut bounds = boxes.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
+        let blocks = 0..(blocks[0] * blocks[1]) as u32;
+        let boxes: Vec<_> = blocks.map(|block| (field.block(block as usize), block)).collect();
+        let mut bounds = boxes.iter().fold(Bounds::EMPTY, |all, (b, _)| all.union(*b));
         bounds.min.y = bounds.min.y.max(water);
         let bounds = if bounds.is_empty() { Bounds::EMPTY } else { bounds };
-        Some(Self { bvh: Bvh::new(&boxes), bounds, ..field })
+        Some(Self { bvh: Bvh::new(boxes), bounds, ..field })
     }
 
     fn height(&self, x: usize, z: usize) -> f64 {
@@ -86,24 +88,28 @@ impl HeightField {
 
     /// Calls back with everything a ray meets above the water; the answer is a new upper end.
     fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(u32, Meeting) -> Option<f64>) {
-        let sheared = Sheared::new(ray);
-        self.bvh.visit(ray, range, |block, range| {
-            let mut max = range.max;
-            let [xs, zs] = self.cells(block as usize);
-            for z in zs {
-                for x in xs.clone() {
-                    let cell = (z * self.size[0] + x) as u32;
-                    for part in [2 * cell, 2 * cell + 1] {
+        widest(
+            #[inline(always)]
+            || {
+                let sheared = Sheared::new(ray);
+                let mut max = range.max;
+                self.bvh.along(ray, range, |block| {
+                    let [xs, zs] = self.cells(block as usize);
+                    let cells = zs.flat_map(|z| xs.clone().map(move |x| (z * self.size[0] + x) as u32));
+                    let parts = cells.flat_map(|cell| [2 * cell, 2 * cell + 1]);
+                    let triangles = parts.clone().map(|part| self.triangle(part));
+                    let candidates = sheared.may_meet::<{ 2 * BLOCK * BLOCK }>(triangles);
+                    for (_, part) in parts.enumerate().filter(|(place, _)| candidates & 1 << place != 0) {
                         let hit = sheared.meet(self.triangle(part));
                         let hit = hit.filter(|hit| range.min < hit.t && hit.t < max);
                         if let Some(hit) = hit.filter(|hit| ray.at(hit.t).y >= self.water) {
                             max = found(part, hit).unwrap_or(max);
                         }
                     }
-                }
-            }
-            Some(max)
-        });
+                    max
+                });
+            },
+        );
     }
 
     /// The normal POV-Ray keeps for a sample: the mean of up to four triangles around it, in the space

@@ -1,5 +1,6 @@
 //! `plane { normal, distance }` (docs/spec/primitives.md 3.3).
 
+use super::stretch::Stretch;
 use super::{Crossing, Shape};
 use crate::math::{Bounds, DVec3};
 use crate::world::{Range, Ray};
@@ -13,12 +14,31 @@ pub struct Plane {
     pub distance: f64,
 }
 
+/// Rounding of a point on the surface, relative to the terms of its height.
+const ON_SURFACE: f64 = 4.0 * f64::EPSILON;
+
 impl Plane {
     /// How far `point` is outside, and the size of the terms whose rounding that carries.
     fn height(&self, point: DVec3) -> (f64, f64) {
         let terms = self.normal * point;
         let size = terms.x.abs() + terms.y.abs() + terms.z.abs() + self.distance.abs();
         (terms.x + terms.y + terms.z - self.distance, size)
+    }
+
+    /// The half-line inside.
+    #[inline]
+    pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
+        let (height, size) = self.height(ray.origin);
+        let slope = self.normal.dot(ray.direction);
+        if slope == 0.0 {
+            return (height <= ON_SURFACE * size).then_some(Stretch::LINE);
+        }
+        let t = -height / slope;
+        if slope < 0.0 {
+            Stretch::new(t, 0, f64::INFINITY, 0)
+        } else {
+            Stretch::new(f64::NEG_INFINITY, 0, t, 0)
+        }
     }
 }
 
@@ -31,6 +51,7 @@ impl Shape for Plane {
         out.extend(self.nearest(ray, range));
     }
 
+    #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         // A parallel ray divides by zero: neither infinity nor NaN is in any range.
         let t = -self.height(ray.origin).0 / self.normal.dot(ray.direction);
@@ -40,7 +61,7 @@ impl Shape for Plane {
     /// The surface belongs to the inside, also where rounding put a point of it outside.
     fn inside(&self, point: DVec3) -> bool {
         let (height, size) = self.height(point);
-        height <= 4.0 * f64::EPSILON * size
+        height <= ON_SURFACE * size
     }
 
     fn normal(&self, _point: DVec3, _crossing: &Crossing) -> DVec3 {

@@ -9,6 +9,7 @@ use super::disc::Disc;
 use super::mesh::Mesh;
 use super::plane::Plane;
 use super::sphere::Sphere;
+use super::stretch::Stretch;
 use super::torus::Torus;
 use super::triangle::Triangle;
 use super::{Crossing, Shape};
@@ -30,6 +31,30 @@ pub enum Primitive {
     Mesh(Arc<Mesh>),
     /// The rare kinds.
     Other(Arc<dyn Shape>),
+}
+
+impl Primitive {
+    /// Whether [`Primitive::convex`] knows it.
+    pub fn is_convex(&self) -> bool {
+        match self {
+            Self::Sphere(_) | Self::Box(_) | Self::Plane(_) => true,
+            Self::Cylinder(cylinder) => !cylinder.open,
+            _ => false,
+        }
+    }
+
+    /// Where a line is inside, if the shape is convex and all of its border is surface; the inner
+    /// `None` where it is outside all along.
+    #[inline]
+    pub fn convex(&self, ray: &Ray) -> Option<Option<Stretch>> {
+        match self {
+            Self::Sphere(sphere) => Some(sphere.stretch(ray)),
+            Self::Box(cuboid) => Some(cuboid.stretch(ray)),
+            Self::Plane(plane) => Some(plane.stretch(ray)),
+            Self::Cylinder(cylinder) if !cylinder.open => Some(cylinder.stretch(ray)),
+            _ => None,
+        }
+    }
 }
 
 macro_rules! each {
@@ -62,10 +87,12 @@ impl Shape for Primitive {
         each!(self, shape => shape.crossings(ray, range, out));
     }
 
+    #[inline(always)]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         each!(self, shape => shape.nearest(ray, range))
     }
 
+    #[inline(always)]
     fn occludes(&self, ray: &Ray, range: Range) -> bool {
         each!(self, shape => shape.occludes(ray, range))
     }

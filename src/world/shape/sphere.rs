@@ -19,6 +19,7 @@ pub struct Sphere {
 impl Sphere {
     /// The discriminant comes from the distance between line and centre, not from the origin's
     /// (Haines, Günther, Akenine-Möller, Ray Tracing Gems 7).
+    #[inline]
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let f = ray.origin - self.center;
         let a = ray.direction.length_squared();
@@ -45,6 +46,7 @@ impl Shape for Sphere {
         }
     }
 
+    #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         self.stretch(ray)?.nearest(range)
     }

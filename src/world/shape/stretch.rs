@@ -20,6 +20,7 @@ impl Stretch {
     };
 
     /// From `enter` on `enter_part` to `leave` on `leave_part`; `None` unless they are in that order.
+    #[inline]
     pub fn new(enter: f64, enter_part: u32, leave: f64, leave_part: u32) -> Option<Self> {
         (enter <= leave).then(|| Self {
             enter: Crossing::new(enter, enter_part),
@@ -29,6 +30,7 @@ impl Stretch {
 
     /// The stretch between two parallel planes at `low` and `high`, for a coordinate that starts at
     /// `origin` and grows by `direction`. The planes belong to the solid.
+    #[inline]
     pub fn slab(
         (low, low_part): (f64, u32),
         (high, high_part): (f64, u32),
@@ -47,6 +49,7 @@ impl Stretch {
     }
 
     /// What both share; where their ends coincide, `over` gives the part.
+    #[inline]
     pub fn meet(self, over: Self) -> Option<Self> {
         let enter = if over.enter.t >= self.enter.t { over.enter } else { self.enter };
         let leave = if over.leave.t <= self.leave.t { over.leave } else { self.leave };
@@ -54,6 +57,7 @@ impl Stretch {
     }
 
     /// The same stretch with distances counted from `shift` before.
+    #[inline]
     pub fn shifted(mut self, shift: f64) -> Self {
         self.enter.t += shift;
         self.leave.t += shift;
@@ -61,11 +65,13 @@ impl Stretch {
     }
 
     /// The nearer end in `range`.
+    #[inline]
     pub fn nearest(self, range: Range) -> Option<Crossing> {
         [self.enter, self.leave].into_iter().find(|end| range.contains(end.t))
     }
 
     /// Adds the ends in `range`; one that touches the solid in a point of one part counts once.
+    #[inline]
     pub fn push(self, range: Range, out: &mut Vec<Crossing>) {
         if range.contains(self.enter.t) {
             out.push(self.enter);

@@ -69,6 +69,7 @@ impl Sheared {
         Self { origin: ray.origin, axes, shear }
     }
 
+    #[inline(always)]
     fn corner(&self, p: DVec3) -> DVec3 {
         let from = p - self.origin;
         let z = from[self.axes[2]];
@@ -79,6 +80,34 @@ impl Sheared {
         )
     }
 
+    /// The bits of those of up to `N` triangles that the ray may meet; the others it misses surely.
+    /// The same test as in [`Sheared::meet`], side by side, but that no sign is made exact.
+    #[inline(always)]
+    pub(super) fn may_meet<const N: usize>(&self, triangles: impl Iterator<Item = [DVec3; 3]>) -> u32 {
+        let mut lanes = [[[0.0; N]; 2]; 3];
+        let mut used = 0;
+        for (lane, corners) in triangles.take(N).enumerate() {
+            for (side, corner) in corners.into_iter().enumerate() {
+                let [from_x, from_y, z] = self.axes.map(|axis| corner[axis] - self.origin[axis]);
+                lanes[side][0][lane] = from_x - self.shear.x * z;
+                lanes[side][1][lane] = from_y - self.shear.y * z;
+            }
+            used |= 1 << lane;
+        }
+        let (mut below, mut above) = ([false; N], [false; N]);
+        for (from, to) in [(1, 2), (2, 0), (0, 1)] {
+            let ([from_x, from_y], [to_x, to_y]) = (&lanes[from], &lanes[to]);
+            for lane in 0..N {
+                let (one, other) = (to_x[lane] * from_y[lane], to_y[lane] * from_x[lane]);
+                let doubt = DOUBT * (one.abs() + other.abs());
+                below[lane] |= one - other < -doubt;
+                above[lane] |= one - other > doubt;
+            }
+        }
+        (0..N).fold(0, |mask, lane| mask | u32::from(!(below[lane] && above[lane])) << lane) & used
+    }
+
+    #[inline(always)]
     pub(super) fn meet(&self, corners: [DVec3; 3]) -> Option<Meeting> {
         let [a, b, c] = corners.map(|p| self.corner(p));
         let weights = [edge(b, c), edge(c, a), edge(a, b)];
@@ -115,13 +144,22 @@ impl Sheared {
     }
 }
 
+/// Rounding error of a signed area, relative to its terms.
+const DOUBT: f64 = 4.0 * f64::EPSILON;
+
 /// Twice the signed area between an edge and the ray, its sign exact.
+#[inline(always)]
 fn edge(from: DVec3, to: DVec3) -> f64 {
     let (one, other) = (to.x * from.y, to.y * from.x);
     let area = one - other;
-    if area.abs() > 4.0 * f64::EPSILON * (one.abs() + other.abs()) {
+    if area.abs() > DOUBT * (one.abs() + other.abs()) {
         return area;
     }
+    exact_edge(from, to)
+}
+
+#[cold]
+fn exact_edge(from: DVec3, to: DVec3) -> f64 {
     let coord = |p: DVec3| robust::Coord { x: p.x, y: p.y };
     robust::orient2d(coord(to), coord(from), robust::Coord { x: 0.0, y: 0.0 })
 }
@@ -140,6 +178,7 @@ impl Shape for Triangle {
         out.extend(self.nearest(ray, range));
     }
 
+    #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let hit = Sheared::new(ray).meet(self.corners)?;
         range.contains(hit.t).then_some(Crossing { t: hit.t, part: 0, at: hit.at })

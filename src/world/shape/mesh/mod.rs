@@ -1,12 +1,10 @@
 //! `mesh` and `mesh2` (docs/spec/primitives.md 4.3, 4.4).
 
-pub(in crate::world::shape) mod bvh;
-
-use bvh::Bvh;
-
-use super::triangle::{Sheared, blend, face_normal};
+use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape};
+use crate::math::wide::widest;
 use crate::math::{Bounds, DVec2, DVec3};
+use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
 /// Triangles that share lists of corners, normals and texture coordinates.
@@ -16,6 +14,7 @@ use crate::world::{Range, Ray};
 #[derive(Clone, Debug)]
 pub struct Mesh {
     lists: Lists,
+    /// In the order of the hierarchy.
     faces: Vec<Face>,
     bounds: Bounds,
     bvh: Bvh,
@@ -52,6 +51,9 @@ const SEAM: f64 = 1e-13;
 /// How far `inside_vector` is turned where it runs along an edge, relative to its length.
 const ASIDE: f64 = 1e-3;
 
+/// Faces that are tested side by side.
+const RUN: usize = 4;
+
 impl Mesh {
     /// Faces without area are left out; normals are normalised, a zero one becomes +x.
     /// `inside` is the direction that decides what is inside; without it the mesh is a surface.
@@ -71,10 +73,37 @@ impl Mesh {
             let normal = face_normal(corners(&lists, face));
             normal != DVec3::ZERO && normal.is_finite()
         });
-        let boxes: Vec<_> = faces.iter().map(|face| Bounds::of(corners(&lists, face))).collect();
-        let bounds = boxes.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
+        let boxes: Vec<_> =
+            (0..).zip(&faces).map(|(i, face)| (Bounds::of(corners(&lists, face)), i)).collect();
+        let bounds = boxes.iter().fold(Bounds::EMPTY, |all, (b, _)| all.union(*b));
+        let (bvh, order) = Bvh::with_runs(boxes, RUN);
+        let faces = order.into_iter().map(|i| faces[i as usize]).collect();
         let inside = inside.filter(|direction| *direction != DVec3::ZERO);
-        Some(Self { bvh: Bvh::new(&boxes), lists, faces, bounds, inside })
+        Some(Self { bvh, lists, faces, bounds, inside })
+    }
+
+    /// Calls back with every face that the ray meets in `range`, roughly the nearest first; the
+    /// answer is the new end of the range, negative infinity to stop.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, range: Range, mut found: impl FnMut(u32, Meeting) -> f64) {
+        widest(
+            #[inline(always)]
+            || {
+                let sheared = Sheared::new(ray);
+                let mut range = range;
+                self.bvh.runs_along(ray, range, |run| {
+                    let candidates =
+                        sheared.may_meet::<RUN>(run.clone().map(|face| self.corners(face as u32)));
+                    for face in run.clone().filter(|face| candidates & 1 << (face - run.start) != 0) {
+                        let hit = sheared.meet(self.corners(face as u32));
+                        if let Some(hit) = hit.filter(|hit| range.contains(hit.t)) {
+                            range.max = found(face as u32, hit);
+                        }
+                    }
+                    range.max
+                });
+            },
+        );
     }
 
     /// Whether a ray leaves the surface an odd number of times, and whether it comes too close to an
@@ -83,11 +112,12 @@ impl Mesh {
         let sheared = Sheared::new(ray);
         let near = SEAM * self.bounds.size().max_element();
         let (mut odd, mut grazing) = (false, false);
-        self.bvh.visit(ray, Range::AHEAD, |part, _| {
-            let corners = self.corners(part);
-            odd ^= sheared.meet(corners).is_some_and(|hit| hit.owned && hit.t > 0.0);
-            grazing |= sheared.grazes(corners, near);
-            None
+        self.bvh.runs_along(ray, Range::AHEAD, |run| {
+            for corners in run.map(|face| self.corners(face as u32)) {
+                odd ^= sheared.meet(corners).is_some_and(|hit| hit.owned && hit.t > 0.0);
+                grazing |= sheared.grazes(corners, near);
+            }
+            f64::INFINITY
         });
         (odd, grazing)
     }
@@ -107,18 +137,12 @@ impl Shape for Mesh {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        let sheared = Sheared::new(ray);
         let from = out.len();
         let mut edges = Vec::new();
-        self.bvh.visit(ray, range, |part, _| {
-            let hit = sheared.meet(self.corners(part)).filter(|hit| range.contains(hit.t))?;
-            let crossing = Crossing { t: hit.t, part, at: hit.at };
-            if hit.on_edge {
-                edges.push(crossing)
-            } else {
-                out.push(crossing)
-            }
-            None
+        self.meet(ray, range, |part, hit| {
+            let list = if hit.on_edge { &mut edges } else { &mut *out };
+            list.push(Crossing { t: hit.t, part, at: hit.at });
+            range.max
         });
         // Neighbours both report a shared edge: keep one of them.
         edges.sort_by(|a, b| a.t.total_cmp(&b.t));
@@ -128,23 +152,19 @@ impl Shape for Mesh {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let sheared = Sheared::new(ray);
         let mut best = None;
-        self.bvh.visit(ray, range, |part, range| {
-            let hit = sheared.meet(self.corners(part)).filter(|hit| range.contains(hit.t))?;
+        self.meet(ray, range, |part, hit| {
             best = Some(Crossing { t: hit.t, part, at: hit.at });
-            Some(hit.t)
+            hit.t
         });
         best
     }
 
     fn occludes(&self, ray: &Ray, range: Range) -> bool {
-        let sheared = Sheared::new(ray);
         let mut hidden = false;
-        self.bvh.visit(ray, range, |part, range| {
-            hidden |= sheared.meet(self.corners(part)).is_some_and(|hit| range.contains(hit.t));
-            // An empty range ends the walk.
-            hidden.then_some(f64::NEG_INFINITY)
+        self.meet(ray, range, |_, _| {
+            hidden = true;
+            f64::NEG_INFINITY
         });
         hidden
     }

@@ -1,0 +1,223 @@
+//! What a ray meets of a tree of solids: the members near it, and their crossings.
+
+use super::COARSE;
+use crate::world::accel::Slabs;
+use crate::world::object::{Leaf, LeafFlags, Member, RayKind};
+use crate::world::parts::{Group, Operation, Parts};
+use crate::world::ray::{Range, Ray};
+use crate::world::scratch::{Found, Scratch};
+use crate::world::shape::Shape;
+
+/// A member near a ray. Those below a compound follow it, up to `end`.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::world) struct Near {
+    pub(super) member: Member,
+    /// The compound it is part of, by its place among the members near the ray.
+    pub(super) parent: Option<u32>,
+    /// Behind the last of those below.
+    pub(super) end: u32,
+    pub(super) inside: Inside,
+}
+
+/// How to tell whether a point of the ray is inside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Inside {
+    /// It is between these distances, or is not.
+    Between { enter: f64, leave: f64, inverted: bool },
+    /// Everywhere the same.
+    Constant(bool),
+    /// The geometry knows.
+    Point,
+    /// By the members below; all others don't decide.
+    Members,
+}
+
+/// A ray on its way through a tree.
+#[derive(Clone, Copy)]
+struct Way<'a> {
+    ray: &'a Ray,
+    slabs: &'a Slabs,
+    range: Range,
+    kind: RayKind,
+    parent: Option<u32>,
+}
+
+impl Way<'_> {
+    /// Leaves of the range what is between two distances, and a little more on both sides: coincident
+    /// faces take part in the decision about each other.
+    fn narrowed(mut self, enter: f64, leave: f64) -> Self {
+        let room = |t: f64| {
+            let scale = self.ray.origin.abs().max(self.ray.at(t).abs()).max_element();
+            4.0 * COARSE * scale / self.ray.direction.length()
+        };
+        if enter.is_finite() {
+            self.range.min = self.range.min.max(enter - room(enter));
+        }
+        if leave.is_finite() {
+            self.range.max = self.range.max.min(leave + room(leave));
+        }
+        self
+    }
+}
+
+impl Parts {
+    /// Finds all crossings of an object's leaves, sorted; only those that survive count.
+    pub(super) fn gather_sorted(
+        &self,
+        member: Member,
+        ray: &Ray,
+        range: Range,
+        kind: RayKind,
+        scratch: &mut Scratch,
+    ) {
+        scratch.found.clear();
+        scratch.near.clear();
+        let slabs = Slabs::new(ray);
+        // Coincident faces just beyond the end take part in the decision about those before it.
+        let beyond = Range { min: range.min, max: range.max + range.max.abs() * COARSE };
+        self.gather(member, Way { ray, slabs: &slabs, range: beyond, kind, parent: None }, scratch);
+        if scratch.found.len() > 1 {
+            scratch.found.sort_unstable_by(|a, b| a.t().total_cmp(&b.t()).then(b.leaf.cmp(&a.leaf)));
+        }
+    }
+
+    /// Adds a member and everything of it that is near the ray. Answers how to tell its inside.
+    fn gather(&self, member: Member, way: Way, scratch: &mut Scratch) -> Inside {
+        let place = scratch.near.len();
+        let near = Near { member, parent: way.parent, end: 0, inside: Inside::Point };
+        scratch.near.push(near);
+        if self.admits(member, way.ray) {
+            scratch.near[place].inside = match member {
+                Member::Leaf(number) => self.gather_leaf(number, place, way, scratch),
+                Member::Group(number) => self.gather_group(number, place, way, scratch),
+            };
+        }
+        scratch.near[place].end = scratch.near.len() as u32;
+        scratch.near[place].inside
+    }
+
+    fn gather_leaf(&self, number: u32, place: usize, way: Way, scratch: &mut Scratch) -> Inside {
+        let leaf = self.leaf(number);
+        let ray = leaf.inner(way.ray);
+        let stretch = leaf.primitive.convex(&ray);
+        if !leaf.hidden.intersects(way.kind) {
+            match stretch {
+                Some(stretch) => {
+                    if let Some(stretch) = stretch {
+                        stretch.push(way.range, &mut scratch.crossings);
+                    }
+                }
+                None => leaf.primitive.crossings(&ray, way.range, &mut scratch.crossings),
+            }
+            let found = |crossing| Found { crossing, leaf: number, near: place as u32 };
+            scratch.found.extend(scratch.crossings.drain(..).map(found));
+        }
+        inside_leaf(leaf, stretch.map(|stretch| stretch.map(|s| (s.enter.t, s.leave.t))))
+    }
+
+    fn gather_group(&self, number: u32, place: usize, way: Way, scratch: &mut Scratch) -> Inside {
+        let group = self.group(number);
+        let mut way = Way { parent: Some(place as u32), ..way };
+        let first_found = scratch.found.len();
+        let decided = group.operation == Operation::Intersection
+            && match self.core(group, way, scratch) {
+                Some(narrowed) => {
+                    way = narrowed;
+                    false
+                }
+                None => true,
+            };
+        if decided || self.gather_members(group, way, scratch) {
+            // One member decides for the whole: a common part or a hollow of it is nowhere near. The
+            // surfaces of a union remain all the same.
+            if group.operation != Operation::Union {
+                scratch.found.truncate(first_found);
+                scratch.near.truncate(place + 1);
+            }
+            let decisive = group.operation.decisive();
+            // Clips may still take a part of what is inside everywhere.
+            return if decisive && group.limits.is_some() {
+                Inside::Point
+            } else {
+                Inside::Constant(decisive)
+            };
+        }
+        Inside::Members
+    }
+
+    /// Narrows the range to where all of an intersection's bounded members may be, and gathers the one
+    /// that tells best. `None` where there is no such place.
+    fn core<'a>(&self, group: &Group, way: Way<'a>, scratch: &mut Scratch) -> Option<Way<'a>> {
+        let mut way = way;
+        let bounds = &group.extent.bounds;
+        if !group.extent.beyond && bounds.is_finite() {
+            if !way.slabs.meet(bounds, way.range) {
+                return None;
+            }
+            let (enter, leave) = way.slabs.overlap(bounds);
+            way = way.narrowed(enter, leave);
+        }
+        if let Some(core) = group.core {
+            match self.gather(group.members[core as usize], way, scratch) {
+                Inside::Between { enter, leave, .. } => way = way.narrowed(enter, leave),
+                Inside::Constant(false) => return None,
+                _ => {}
+            }
+        }
+        (way.range.min < way.range.max).then_some(way)
+    }
+
+    /// Gathers the members near the ray but for the core; whether one decides for all.
+    fn gather_members(&self, group: &Group, way: Way, scratch: &mut Scratch) -> bool {
+        let decisive = group.operation.decisive();
+        let decides = |inside| inside == Inside::Constant(decisive);
+        let stops = group.operation != Operation::Union;
+        let mut decided = false;
+        for &member in &group.unbounded {
+            decided |= decides(self.gather(member, way, scratch));
+        }
+        let mut missing = group.deciders;
+        if let Some(core) = group.core {
+            missing -= u32::from(self.extent(group.members[core as usize]).beyond == decisive);
+        }
+        if decided && stops {
+            return true;
+        }
+        group.bounded.along(way.ray, way.range, |place| {
+            if group.core == Some(place) {
+                return way.range.max;
+            }
+            let member = group.members[place as usize];
+            missing -= u32::from(self.extent(member).beyond == decisive);
+            decided |= decides(self.gather(member, way, scratch));
+            if decided && stops { f64::NEG_INFINITY } else { way.range.max }
+        });
+        decided || missing > 0
+    }
+
+    /// Whether `bounded_by` lets the ray pass to the object.
+    fn admits(&self, member: Member, ray: &Ray) -> bool {
+        let bounds = self.limits(member).map_or(&[][..], |limits| &limits.bounds);
+        bounds.iter().all(|&bound| {
+            self.inside(bound, ray.origin)
+                || self.nearest(bound, ray, Range::AHEAD, RayKind::empty()).is_some()
+        })
+    }
+}
+
+/// How to tell the inside of a leaf from its stretch, if it is convex: the inner `None` for one that
+/// the ray misses.
+fn inside_leaf(leaf: &Leaf, stretch: Option<Option<(f64, f64)>>) -> Inside {
+    if !leaf.flags.contains(LeafFlags::SOLID) {
+        return Inside::Constant(false);
+    }
+    if leaf.limits.is_some() {
+        return Inside::Point;
+    }
+    let inverted = leaf.flags.contains(LeafFlags::INVERTED);
+    match stretch {
+        Some(Some((enter, leave))) => Inside::Between { enter, leave, inverted },
+        Some(None) => Inside::Constant(inverted),
+        None => Inside::Point,
+    }
+}

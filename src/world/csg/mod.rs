@@ -1,0 +1,128 @@
+//! Constructive solids: which crossings of the members are surface of the whole
+//! (docs/spec/primitives.md 7.1).
+//!
+//! There is no list of solid stretches of the whole: a crossing stays or goes by what the *other*
+//! members say about its point, so a union inside an intersection keeps its inner faces and surfaces
+//! without an inside take part. Inversion was carried down to the leaves by De Morgan's laws, so
+//! there are only three operations, and a `difference` is an intersection.
+//!
+//! [`gather`] finds the members near a ray and their crossings, [`survive`] decides about these.
+
+mod gather;
+mod survive;
+
+pub(super) use gather::Near;
+
+use super::accel::Slabs;
+use super::object::{Member, RayKind};
+use super::parts::Parts;
+use super::ray::{Range, Ray};
+use super::scratch::{Found, Scratch};
+use super::shape::{Crossing, Shape};
+use crate::math::DVec3;
+
+impl Parts {
+    /// Whether `point` is inside a member and its clips.
+    pub fn inside(&self, member: Member, point: DVec3) -> bool {
+        let extent = self.extent(member);
+        if !extent.bounds.contains(point) {
+            return extent.beyond;
+        }
+        let clips = self.limits(member).map_or(&[][..], |limits| &limits.clips);
+        clips.iter().all(|&clip| self.inside(clip, point))
+            && match member {
+                Member::Leaf(number) => self.leaf(number).contains(point),
+                Member::Group(number) => self.inside_group(number, point),
+            }
+    }
+
+    fn inside_group(&self, group: u32, point: DVec3) -> bool {
+        let group = self.group(group);
+        let decisive = group.operation.decisive();
+        let decides = |member| self.inside(member, point) == decisive;
+        let decided = group.wide.iter().any(|&member| decides(member))
+            || group.bounded.any_around(point, |place| {
+                let member = group.members[place as usize];
+                self.extent(member).beyond != decisive && decides(member)
+            });
+        decided == decisive
+    }
+
+    /// The nearest point of an object's surface; of several at the same distance, that of the
+    /// last leaf.
+    #[inline(always)]
+    pub(super) fn nearest(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
+        if let Member::Leaf(number) = member {
+            let leaf = self.leaf(number);
+            if leaf.hidden.intersects(kind) {
+                return None;
+            }
+            if leaf.limits.is_none() {
+                let crossing = leaf.primitive.nearest(&leaf.inner(ray), range)?;
+                return Some(Found { crossing, leaf: number, near: 0 });
+            }
+        }
+        self.nearest_of_many(member, ray, range, kind)
+    }
+
+    /// As [`Parts::nearest`], for what is cut or made of several primitives.
+    fn nearest_of_many(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
+        if !Slabs::new(ray).meet(&self.extent(member).bounds, range) {
+            return None;
+        }
+        Scratch::lend(|scratch| {
+            self.gather_sorted(member, ray, range, kind, scratch);
+            let found = &scratch.found;
+            let first =
+                (0..found.len()).find(|&i| range.contains(found[i].t()) && self.survives(ray, scratch, i))?;
+            let end = found[first].t() + self.slack(ray, found[first].leaf, &found[first].crossing);
+            let tied = (first + 1..found.len()).take_while(|&i| found[i].t() <= end);
+            let last = tied.filter(|&i| range.contains(found[i].t())).fold(first, |best, i| {
+                let wins = found[i].leaf > found[best].leaf && self.survives(ray, scratch, i);
+                if wins { i } else { best }
+            });
+            Some(found[last])
+        })
+    }
+
+    /// Hands out all points of an object's surface in ascending order until told to stop.
+    pub(super) fn surface_along(
+        &self,
+        member: Member,
+        ray: &Ray,
+        range: Range,
+        kind: RayKind,
+        mut visit: impl FnMut(Found) -> bool,
+    ) -> bool {
+        if !Slabs::new(ray).meet(&self.extent(member).bounds, range) {
+            return false;
+        }
+        Scratch::lend(|scratch| {
+            self.gather_sorted(member, ray, range, kind, scratch);
+            let found = &scratch.found;
+            (0..found.len())
+                .filter(|&i| range.contains(found[i].t()) && self.survives(ray, scratch, i))
+                .any(|i| visit(found[i]))
+        })
+    }
+
+    /// How far rounding may have moved a crossing along the ray.
+    pub(super) fn slack(&self, ray: &Ray, leaf: u32, crossing: &Crossing) -> f64 {
+        let leaf = self.leaf(leaf);
+        let point = ray.at(crossing.t);
+        let normal = leaf.primitive.geometric_normal(leaf.inner_point(point), crossing);
+        let length = ray.direction.length();
+        let cosine = leaf.outer_normal(normal).dot(ray.direction).abs() / length;
+        let scale = ray.origin.abs().max(point.abs()).max_element();
+        FINE * scale / (length * cosine.max(LEAST_COSINE))
+    }
+}
+
+/// Rounding error of a crossing seen head on, relative to the coordinates.
+const FINE: f64 = 64.0 * f64::EPSILON;
+
+/// More grazing rays are treated like this one.
+const LEAST_COSINE: f64 = 1e-3;
+
+/// Rounding error of the most grazing crossing.
+const COARSE: f64 = FINE / LEAST_COSINE;

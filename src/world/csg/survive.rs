@@ -1,0 +1,142 @@
+//! Which crossings are surface of the whole.
+//!
+//! Where faces of several members coincide, the point alone decides nothing: rounding would make
+//! speckles. There the states just before and just after are compared, which gives the solid's
+//! closed surface: a cutter flush with a face leaves a hole, flush merged faces leave one face.
+
+use super::gather::{Inside, Near};
+use super::{COARSE, FINE};
+use crate::world::object::{LeafFlags, Member};
+use crate::world::parts::{Operation, Parts};
+use crate::world::ray::Ray;
+use crate::world::scratch::{Found, Scratch};
+
+impl Parts {
+    /// Whether a crossing is surface of the whole tree it belongs to.
+    pub(super) fn survives(&self, ray: &Ray, scratch: &Scratch, which: usize) -> bool {
+        let mut member = scratch.found[which].near as usize;
+        let tree = Tree { parts: self, ray, near: &scratch.near };
+        let place = Place::new(self, ray, &scratch.found, which);
+        loop {
+            let Near { member: what, parent, .. } = tree.near[member];
+            if !tree.clips_spare(what, &place) {
+                return false;
+            }
+            let Some(parent) = parent.map(|parent| parent as usize) else {
+                return true;
+            };
+            let kept = match tree.operation(parent) {
+                Some(Operation::Intersection) => tree.others_agree(parent, member, &place, true),
+                Some(Operation::Merge) => tree.others_agree(parent, member, &place, false),
+                Some(Operation::Union) | None => true,
+            };
+            if !kept {
+                return false;
+            }
+            member = parent;
+        }
+    }
+}
+
+/// A tree of solids as far as it is near a ray.
+struct Tree<'a> {
+    parts: &'a Parts,
+    ray: &'a Ray,
+    near: &'a [Near],
+}
+
+impl Tree<'_> {
+    fn operation(&self, compound: usize) -> Option<Operation> {
+        match self.near[compound].member {
+            Member::Group(number) => Some(self.parts.group(number).operation),
+            Member::Leaf(_) => None,
+        }
+    }
+
+    /// Whether the point at a distance is inside a member.
+    fn inside(&self, member: usize, t: f64) -> bool {
+        match self.near[member].inside {
+            Inside::Between { enter, leave, inverted } => (enter < t && t < leave) != inverted,
+            Inside::Constant(inside) => inside,
+            Inside::Point => self.parts.inside(self.near[member].member, self.ray.at(t)),
+            Inside::Members => {
+                let limits = self.parts.limits(self.near[member].member);
+                let clips = limits.map_or(&[][..], |limits| &limits.clips);
+                clips.iter().all(|&clip| self.parts.inside(clip, self.ray.at(t)))
+                    && self.inside_others(member, None, t)
+            }
+        }
+    }
+
+    /// Whether the point at a distance is inside a compound from which one member is taken away.
+    fn inside_others(&self, compound: usize, without: Option<usize>, t: f64) -> bool {
+        let decisive = self.operation(compound).is_some_and(Operation::decisive);
+        let mut next = compound + 1;
+        while next < self.near[compound].end as usize {
+            if Some(next) != without && self.inside(next, t) == decisive {
+                return decisive;
+            }
+            next = self.near[next].end as usize;
+        }
+        !decisive
+    }
+
+    /// Whether the other members of a compound leave this one's surface: for an intersection they
+    /// must all contain it, for a merge none may.
+    fn others_agree(&self, compound: usize, member: usize, place: &Place, wanted: bool) -> bool {
+        let others = |t| self.inside_others(compound, Some(member), t) == wanted;
+        let Some([before, after]) = place.around else {
+            return others(place.t);
+        };
+        match (others(before), others(after)) {
+            // Faces coincide: the surface remains where the whole is on one of its sides.
+            (agree_before, agree_after) if agree_before != agree_after => {
+                let side = if agree_before { before } else { after };
+                !self.has_inside(member) || self.inside(member, side) == wanted
+            }
+            (agree, _) => agree,
+        }
+    }
+
+    /// Whether clips leave a point: they are closed, so that rounding can't fray coincident faces.
+    fn clips_spare(&self, member: Member, place: &Place) -> bool {
+        let clips = self.parts.limits(member).map_or(&[][..], |limits| &limits.clips);
+        clips.iter().all(|&clip| {
+            let points = [place.t, place.t - place.step, place.t + place.step].map(|t| self.ray.at(t));
+            points.iter().any(|&point| self.parts.inside(clip, point))
+        })
+    }
+
+    fn has_inside(&self, member: usize) -> bool {
+        match self.near[member].member {
+            Member::Leaf(number) => self.parts.leaf(number).flags.contains(LeafFlags::SOLID),
+            Member::Group(_) => true,
+        }
+    }
+}
+
+/// Where a crossing is, and on which sides of it to look when faces coincide.
+struct Place {
+    t: f64,
+    /// Distances just before and just after, where another crossing is too close to tell apart.
+    around: Option<[f64; 2]>,
+    /// To a point within rounding error.
+    step: f64,
+}
+
+impl Place {
+    fn new(parts: &Parts, ray: &Ray, found: &[Found], which: usize) -> Self {
+        let t = found[which].t();
+        let scale = ray.origin.abs().max(ray.at(t).abs()).max_element();
+        let length = ray.direction.length();
+        let gap = |other: Option<&Found>| other.map_or(f64::INFINITY, |other| (other.t() - t).abs());
+        let nearest = gap(found.get(which + 1)).min(gap(which.checked_sub(1).map(|i| &found[i])));
+        // The exact measure needs a normal; most crossings are alone.
+        if nearest > COARSE * scale / length {
+            return Self { t, around: None, step: 2.0 * FINE * scale / length };
+        }
+        let slack = parts.slack(ray, found[which].leaf, &found[which].crossing);
+        let step = 2.0 * slack;
+        Self { t, around: (nearest <= slack).then_some([t - step, t + step]), step }
+    }
+}
