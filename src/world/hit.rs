@@ -4,10 +4,10 @@
 use smallvec::SmallVec;
 
 use super::accel::Accel;
+use super::csg::Found;
 use super::object::{LeafFlags, Member, RayKind};
 use super::parts::{Object, Parts};
 use super::ray::{Range, Ray};
-use super::scratch::Found;
 use super::shape::{Crossing, Shape};
 use crate::math::DVec3;
 use crate::math::wide::widest;

@@ -17,7 +17,6 @@ pub mod parts;
 pub mod pattern;
 pub mod ray;
 pub mod sample;
-mod scratch;
 pub mod settings;
 pub mod shape;
 pub mod surface;

@@ -1,36 +1,12 @@
 //! What a ray meets of a tree of solids: the members near it, and their crossings.
 
 use super::COARSE;
+use super::scratch::{Found, Inside, Near, Scratch};
 use crate::world::accel::Slabs;
 use crate::world::object::{Leaf, LeafFlags, Member, RayKind};
 use crate::world::parts::{Group, Operation, Parts};
 use crate::world::ray::{Range, Ray};
-use crate::world::scratch::{Found, Scratch};
 use crate::world::shape::Shape;
-
-/// A member near a ray. Those below a compound follow it, up to `end`.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::world) struct Near {
-    pub(super) member: Member,
-    /// The compound it is part of, by its place among the members near the ray.
-    pub(super) parent: Option<u32>,
-    /// Behind the last of those below.
-    pub(super) end: u32,
-    pub(super) inside: Inside,
-}
-
-/// How to tell whether a point of the ray is inside.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Inside {
-    /// It is between these distances, or is not.
-    Between { enter: f64, leave: f64, inverted: bool },
-    /// Everywhere the same.
-    Constant(bool),
-    /// The geometry knows.
-    Point,
-    /// By the members below; all others don't decide.
-    Members,
-}
 
 /// A ray on its way through a tree.
 #[derive(Clone, Copy)]

@@ -9,15 +9,16 @@
 //! [`gather`] finds the members near a ray and their crossings, [`survive`] decides about these.
 
 mod gather;
+mod scratch;
 mod survive;
 
-pub(super) use gather::Near;
+pub(super) use scratch::Found;
+use scratch::Scratch;
 
 use super::accel::Slabs;
 use super::object::{Member, RayKind};
 use super::parts::Parts;
 use super::ray::{Range, Ray};
-use super::scratch::{Found, Scratch};
 use super::shape::{Crossing, Shape};
 use crate::math::DVec3;
 

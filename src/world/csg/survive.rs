@@ -4,12 +4,11 @@
 //! speckles. There the states just before and just after are compared, which gives the solid's
 //! closed surface: a cutter flush with a face leaves a hole, flush merged faces leave one face.
 
-use super::gather::{Inside, Near};
+use super::scratch::{Found, Inside, Near, Scratch};
 use super::{COARSE, FINE};
 use crate::world::object::{LeafFlags, Member};
 use crate::world::parts::{Operation, Parts};
 use crate::world::ray::Ray;
-use crate::world::scratch::{Found, Scratch};
 
 impl Parts {
     /// Whether a crossing is surface of the whole tree it belongs to.

@@ -2,20 +2,44 @@
 
 use std::cell::RefCell;
 
-use super::csg::Near;
-use super::shape::Crossing;
+use crate::world::object::Member;
+use crate::world::shape::Crossing;
+
+/// A member near a ray. Those below a compound follow it, up to `end`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Near {
+    pub(super) member: Member,
+    /// The compound it is part of, by its place among the members near the ray.
+    pub(super) parent: Option<u32>,
+    /// Behind the last of those below.
+    pub(super) end: u32,
+    pub(super) inside: Inside,
+}
+
+/// How to tell whether a point of the ray is inside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Inside {
+    /// It is between these distances, or is not.
+    Between { enter: f64, leave: f64, inverted: bool },
+    /// Everywhere the same.
+    Constant(bool),
+    /// The geometry knows.
+    Point,
+    /// By the members below; all others don't decide.
+    Members,
+}
 
 /// A crossing and the leaf it belongs to.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
-    pub(super) crossing: Crossing,
-    pub(super) leaf: u32,
+pub(in crate::world) struct Found {
+    pub(in crate::world) crossing: Crossing,
+    pub(in crate::world) leaf: u32,
     /// The leaf's place among the members near the ray, where it is part of an object of many.
     pub(super) near: u32,
 }
 
 impl Found {
-    pub(super) fn t(&self) -> f64 {
+    pub(in crate::world) fn t(&self) -> f64 {
         self.crossing.t
     }
 }
@@ -24,7 +48,7 @@ impl Found {
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
     /// Of the leaf at hand.
-    pub(super) crossings: Vec<Crossing>,
+    pub(in crate::world) crossings: Vec<Crossing>,
     /// Of the object at hand.
     pub(super) found: Vec<Found>,
     /// Members of the object at hand that are near the ray.
