@@ -1,7 +1,7 @@
 //! The outlines of a `text` (docs/spec/primitives.md 6.5).
 
 use ttf_parser::cmap::Format;
-use ttf_parser::{Face, GlyphId, OutlineBuilder, PlatformId};
+use ttf_parser::{Face, GlyphId, OutlineBuilder, PlatformId, kern};
 
 use super::Compiled;
 use crate::compile::Unsupported;
@@ -62,7 +62,7 @@ fn write(face: &Face<'_>, text: &scene::Text) -> Option<Text> {
         let outline = if unit == u16::from(b' ') { None } else { outline(face, glyph) };
         let advance = f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
         let bearing = f64::from(face.glyph_hor_side_bearing(glyph).unwrap_or(0));
-        let left = outline.as_ref().map_or(0.0, Outline::left);
+        let left = outline.as_ref().map_or(0.0, |outline| outline.bounds[0].x);
         // The first glyph begins at 0, wherever it has its left side.
         let (before, after) = match previous {
             None => (-left, advance - bearing),
@@ -74,10 +74,7 @@ fn write(face: &Face<'_>, text: &scene::Text) -> Option<Text> {
         if let Some(outline) = outline {
             let place = |p: DVec2| pen + (p + DVec2::X * before) / em;
             let depth = [text.thickness.min(0.0) - ROOM, text.thickness.max(0.0) + ROOM];
-            // POV-Ray's box is wider by the space to the left in timrom and cyrvetic, but not in crystal
-            // and povlogo; what decides is not known (docs/spec/primitives.md 6.5).
-            let wide = [outline.bounds[0], outline.bounds[1] + DVec2::X * bearing];
-            let corners = wide.map(place);
+            let corners = outline.bounds.map(place);
             let corner = |i: usize| DVec3::new(corners[i].x, depth[i], corners[i].y);
             extent = extent.union(Bounds { min: corner(0), max: corner(1) });
             outlines.push(Curve::new(outline.segments(place)));
@@ -109,11 +106,16 @@ fn glyph(face: &Face<'_>, unicode: bool, code: u32) -> GlyphId {
     found.unwrap_or(GlyphId(0))
 }
 
-/// How much nearer two glyphs are, in the font's units.
+/// How much nearer two glyphs are, in the font's units. The pairs need not be in order, as they are not in
+/// POV-Ray's own fonts.
 fn kerning(face: &Face<'_>, left: GlyphId, right: GlyphId) -> f64 {
     let tables = face.tables().kern.iter().flat_map(|kern| kern.subtables);
     let level = tables.filter(|table| table.horizontal && !table.has_cross_stream && !table.variable);
-    level.filter_map(|table| table.glyphs_kerning(left, right)).map(f64::from).sum()
+    let pairs = level.filter_map(|table| match table.format {
+        kern::Format::Format0(table) => table.pairs.into_iter().find(|pair| (pair.left(), pair.right()) == (left, right)),
+        _ => None,
+    });
+    pairs.map(|pair| f64::from(pair.value)).sum()
 }
 
 /// One piece of an outline, in the font's units, from the point before.
@@ -128,7 +130,7 @@ enum Stroke {
 /// A glyph's outline, in the font's units.
 struct Outline {
     strokes: Vec<Stroke>,
-    /// The box the font tells.
+    /// The box the font tells, and all points: the boxes that fonts tell may be wrong.
     bounds: [DVec2; 2],
 }
 
@@ -138,20 +140,20 @@ fn outline(face: &Face<'_>, glyph: GlyphId) -> Option<Outline> {
     let around = face.outline_glyph(glyph, &mut outline)?;
     let told = face.tables().glyf.and_then(|glyf| glyf.bbox(glyph)).unwrap_or(around);
     let corner = |x: i16, y: i16| DVec2::new(x.into(), y.into());
-    outline.bounds = [corner(told.x_min, told.y_min), corner(told.x_max, told.y_max)];
+    let told = [corner(told.x_min, told.y_min), corner(told.x_max, told.y_max)];
+    outline.bounds = outline.points().fold(told, |[low, high], p| [low.min(p), high.max(p)]);
     Some(outline)
 }
 
 impl Outline {
-    /// The left side: the box's, or that of a point left of it.
-    fn left(&self) -> f64 {
-        let points = self.strokes.iter().flat_map(|stroke| match *stroke {
+    /// All points, those that only bend the outline too.
+    fn points(&self) -> impl Iterator<Item = DVec2> {
+        self.strokes.iter().flat_map(|stroke| match *stroke {
             Stroke::Start(p) | Stroke::Line(p) => vec![p],
             Stroke::Parabola(a, b) => vec![a, b],
             Stroke::Cubic(a, b, c) => vec![a, b, c],
             Stroke::Close => Vec::new(),
-        });
-        points.fold(self.bounds[0].x, |left, p| left.min(p.x))
+        })
     }
 
     /// The closed contours, with every point moved by `place`.

@@ -88,6 +88,13 @@ fn lines_are_spaced_and_kerned_as_povray_does() {
 }
 
 #[test]
+fn pairs_are_kerned_in_whatever_order_the_font_lists_them() {
+    let line = probe("timrom.ttf", "Te", 1., [0.; 3]);
+    let bow = line.trace(DVec3::new(0.5, 0.2, 0.5), DVec3::X).expect("a hit").0;
+    assert!((bow.x - 0.570330).abs() < 1e-6, "{bow}");
+}
+
+#[test]
 fn curves_are_where_povray_has_them() {
     let from = [-5., 0.3, 0.5];
     for (name, x, normal) in [
@@ -101,7 +108,7 @@ fn curves_are_where_povray_has_them() {
 }
 
 #[test]
-fn extents_are_those_povray_reports_for_its_text_fonts() {
+fn extents_hold_the_points_and_the_box_the_font_tells() {
     for (name, letters, depth, offset, min, max) in [
         (
             "timrom.ttf",
@@ -118,6 +125,23 @@ fn extents_are_those_povray_reports_for_its_text_fonts() {
             [0., 0.2, 0.1],
             [-0.000016198833691, -0.000005235914159, -0.000014875367924],
             [0.795005261898041, 0.928013861179352, 0.300017207860947],
+        ),
+        // A box the font tells too wide for the points.
+        (
+            "timrom.ttf",
+            "ij",
+            1.,
+            [10., 0., 0.],
+            [-0.000012147243979, -0.212017446756363, -0.000179],
+            [10.508020401000977, 0.696183443069458, 1.000015],
+        ),
+        (
+            "crystal.ttf",
+            "g",
+            1.,
+            [0.; 3],
+            [-0.000009493488506, -0.200212761759758, -0.000011507768249],
+            [0.401876389980316, 0.543952286243439, 1.00001049041748],
         ),
     ] {
         extent(&probe(name, letters, depth, offset), min, max);
