@@ -89,6 +89,8 @@ struct Sum {
 struct Bent {
     /// The top layer's normal.
     normal: DVec3,
+    /// The top layer's film.
+    irid: Option<Irid>,
     weight: f32,
     /// What the surface leaves of light and transparency behind it.
     left: Rgb,
@@ -102,8 +104,8 @@ struct Stack {
     through: Rgb,
     /// Its grey.
     share: f32,
-    /// The topmost layer's normal.
-    top: Option<DVec3>,
+    /// The topmost layer's normal and film.
+    top: Option<(DVec3, Option<Irid>)>,
 }
 
 impl Tracer<'_> {
@@ -165,7 +167,7 @@ impl Tracer<'_> {
         let finish: &Finish = &layer.finish;
         let direction = at.path.ray.direction;
         let normal = if self.quality.reflection { layer.bend(sample) } else { sample.normal };
-        stack.top.get_or_insert(normal);
+        stack.top.get_or_insert((normal, finish.irid));
         let given = layer.pigment.color(sample);
         let color = given.unwrap_or(Rgbft::new([1.0, 1.0, 1.0, 0.0, 1.0]));
         if self.quality.flat {
@@ -233,9 +235,9 @@ impl Tracer<'_> {
             sum.weight = sum.weight.max(weight);
             return None;
         }
-        let normal = stack.top.unwrap_or(at.surface.normal);
+        let (normal, irid) = stack.top.unwrap_or((at.surface.normal, None));
         let Passage { ratio, dispersion, .. } = *passage;
-        let bent = Bent { normal, weight, left, clear };
+        let bent = Bent { normal, irid, weight, left, clear };
         match at.path.wavelength {
             _ if dispersion == 1.0 => self.bend(at, blend, &bent, ratio, sum),
             Some(wavelength) => {
@@ -296,7 +298,9 @@ impl Tracer<'_> {
 
     fn totally_reflected(&mut self, at: &At, bent: &Bent, wavelength: Option<f64>) -> Seen {
         let direction = mirror::mirrored(at.path.ray.direction, bent.normal, at.surface.normal);
-        self.mirrored(at, direction, bent.weight, wavelength)
+        let mut seen = self.mirrored(at, direction, bent.weight, wavelength);
+        seen.color *= self.film(at, bent.irid.as_ref(), bent.normal, direction);
+        seen
     }
 
     /// What a layer mirrors.
@@ -306,22 +310,27 @@ impl Tracer<'_> {
         }
         let direction = mirror::mirrored(at.path.ray.direction, mirror.normal, at.surface.normal);
         let mut color = self.mirrored(at, direction, mirror.weight, at.path.wavelength).color;
-        if let Some(irid) = &mirror.irid {
-            let settings = &self.world.settings;
-            color *= iridescence(
-                irid,
-                settings.irid_wavelength,
-                at.surface.point,
-                mirror.normal,
-                direction,
-                at.path.ray.direction,
-                settings.noise_generator,
-            );
-        }
+        color *= self.film(at, mirror.irid.as_ref(), mirror.normal, direction);
         if mirror.exponent != 1.0 {
             color = color.powf(mirror.exponent);
         }
         mirror.share * color
+    }
+
+    /// What a film leaves of the light mirrored from a direction.
+    fn film(&self, at: &At, irid: Option<&Irid>, normal: DVec3, direction: DVec3) -> Rgb {
+        let settings = &self.world.settings;
+        irid.map_or(Rgb::ONE, |irid| {
+            iridescence(
+                irid,
+                settings.irid_wavelength,
+                at.surface.point,
+                normal,
+                direction,
+                at.path.ray.direction,
+                settings.noise_generator,
+            )
+        })
     }
 
     fn mirrored(&mut self, at: &At, direction: DVec3, weight: f32, wavelength: Option<f64>) -> Seen {
