@@ -25,7 +25,7 @@ pub(super) struct Bounded {
     lenient: bool,
 }
 
-impl Flattener {
+impl Flattener<'_> {
     /// Notes a primitive that stands on its own and whose bounds may cut it.
     pub(super) fn note_bounds(&mut self, object: &Object, own: &Inherited, member: Member) {
         let Member::Leaf(leaf) = member else {

@@ -10,7 +10,7 @@ use crate::world::object::Limits;
 use crate::world::parts::{Group, Operation};
 use crate::world::{Member, RayKind};
 
-impl Flattener {
+impl Flattener<'_> {
     /// Adds a compound with all its members; a single member without limits stands for itself.
     pub(super) fn compound(&mut self, csg: &Csg, object: &Object, own: &Inherited) -> Option<Member> {
         let operation = operation(csg.operation, own.inverted);

@@ -19,7 +19,7 @@ const FLAT: f64 = 1e-10;
 
 const EVERYWHERE: Bounds = Bounds { min: DVec3::splat(-FAR), max: DVec3::splat(FAR) };
 
-impl Flattener {
+impl Flattener<'_> {
     /// The box of an object in its outer space. Parts that can't be compiled have none.
     pub(super) fn reported_extent(&mut self, object: &Object) -> Bounds {
         stored(self.extent(object))

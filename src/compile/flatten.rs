@@ -12,6 +12,7 @@ use super::object::ShapeCache;
 use crate::math::Transform;
 use crate::options::Accelerator;
 use crate::scene::object::ObjectFlags;
+use crate::scene::settings::Settings;
 use crate::scene::shape::{Csg, CsgOperation, LightGroup};
 use crate::scene::{Interior, Light, Object, Shape, Texture};
 use crate::source::Span;
@@ -149,7 +150,8 @@ struct Lighting {
 
 /// Takes objects apart, one after the other.
 #[derive(Debug)]
-pub struct Flattener {
+pub struct Flattener<'a> {
+    pub(super) settings: &'a Settings,
     pub(super) flat: Flat,
     pub(super) accelerator: Accelerator,
     split_unions: bool,
@@ -159,10 +161,12 @@ pub struct Flattener {
     pub(super) shapes: ShapeCache,
 }
 
-impl Flattener {
-    /// Takes apart whole scenes or single objects; with `split_unions` bounded unions too.
-    pub fn new(accelerator: Accelerator, split_unions: bool) -> Self {
+impl<'a> Flattener<'a> {
+    /// Takes apart whole scenes or single objects; with `split_unions` bounded unions too. The settings
+    /// are for the functions and images in shapes.
+    pub fn new(settings: &'a Settings, accelerator: Accelerator, split_unions: bool) -> Self {
         Self {
+            settings,
             flat: Flat::default(),
             accelerator,
             split_unions,

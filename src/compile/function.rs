@@ -9,17 +9,8 @@ use crate::math::Spline;
 use crate::math::spline::SplineKind as Kind;
 use crate::scene;
 use crate::scene::function::FunctionBody;
-use crate::scene::settings::Settings;
 use crate::scene::spline::SplineKind;
 use crate::world::function::{Body, Function, Internal};
-
-/// A function by itself, with the default settings: what the language calls while a scene is read.
-///
-/// # Errors
-/// What it uses that povista lacks, or a file that can't be read.
-pub fn function(function: &Arc<scene::Function>) -> Result<Arc<Function>, Unsupported> {
-    TextureCompiler::new(&Settings::default()).function(function)
-}
 
 /// A spline ready to be evaluated.
 pub fn spline(spline: &scene::Spline) -> Option<Spline> {
@@ -83,6 +74,7 @@ mod tests {
     use super::*;
     use crate::math::{DVec3, Transform};
     use crate::scene::function::{BinaryOp, Builtin, Expr};
+    use crate::scene::settings::Settings;
     use crate::source::Span;
 
     fn of(parameters: usize, body: FunctionBody) -> Arc<scene::Function> {
@@ -93,8 +85,12 @@ mod tests {
         of(parameters, FunctionBody::Expression(expression))
     }
 
+    fn compile(function: &Arc<scene::Function>) -> Result<Arc<Function>, Unsupported> {
+        TextureCompiler::new(&Settings::default()).function(function)
+    }
+
     fn call(function: &Arc<scene::Function>, arguments: &[f64]) -> f64 {
-        super::function(function).unwrap().call(arguments)
+        compile(function).unwrap().call(arguments)
     }
 
     fn number(value: f64) -> Expr {
@@ -157,7 +153,7 @@ mod tests {
             Transform::translate(DVec3::new(1.0, 2.0, 3.0)).then(&Transform::scale(DVec3::splat(2.0)));
         let transform = of(3, FunctionBody::Transform(Arc::new(transform)));
         let mut components = [0.0; 5];
-        assert_eq!(super::function(&transform).unwrap().call_vector(&[1.0; 3], &mut components), 3);
+        assert_eq!(compile(&transform).unwrap().call_vector(&[1.0; 3], &mut components), 3);
         assert_eq!(components[..3], [4.0, 6.0, 8.0]);
 
         let radius = of(3, FunctionBody::Internal(57));
@@ -173,9 +169,9 @@ mod tests {
         let long = (0..20000).fold(number(0.0), |e, _| binary(BinaryOp::Add, e, parameter(0)));
         assert_eq!(call(&expression(1, long), &[0.5]), 10000.0);
         let deep = (0..2000).fold(parameter(0), |e, _| Expr::Negate(Box::new(e)));
-        assert!(super::function(&expression(1, deep)).is_err());
+        assert!(compile(&expression(1, deep)).is_err());
         let chain = (0..2000)
             .fold(expression(1, parameter(0)), |f, _| expression(1, Expr::User(f, vec![parameter(0)])));
-        assert!(super::function(&chain).is_err());
+        assert!(compile(&chain).is_err());
     }
 }

@@ -7,7 +7,9 @@ use rustc_hash::FxHashMap;
 use super::Unsupported;
 use super::extent::half_space;
 use super::flatten::{Flattener, Inherited};
+use super::probe::inside_of;
 use super::shape::{self, Compiled};
+use super::texture::TextureCompiler;
 use crate::math::{Bounds, DVec3};
 use crate::scene::object::ObjectFlags;
 use crate::scene::texture::{LegacyFinish, TextureBody};
@@ -23,7 +25,7 @@ const MOST_NESTED: u32 = 200;
 /// Big primitives that several objects share, by the identity of their description.
 pub(super) type ShapeCache = FxHashMap<*const (), Compiled>;
 
-impl Flattener {
+impl Flattener<'_> {
     /// What an object has, of its own or inherited.
     pub(super) fn own(&mut self, object: &Object, around: &Inherited) -> Inherited {
         let flags = object.flags;
@@ -160,23 +162,26 @@ impl Flattener {
     /// The primitive of an object in its own space.
     pub(super) fn primitive(&mut self, primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> {
         let Some(identity) = identity(primitive) else {
-            return compile(primitive, object);
+            return self.compile(primitive, object);
         };
         if let Some(compiled) = self.shapes.get(&identity) {
             return Ok(compiled.clone());
         }
-        let compiled = compile(primitive, object)?;
+        let compiled = self.compile(primitive, object)?;
         self.shapes.insert(identity, compiled.clone());
         Ok(compiled)
     }
-}
 
-fn compile(primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> {
-    match primitive {
-        Shape::HeightField(field) => shape::height_field::height_field(field),
-        Shape::Isosurface(surface) => shape::isosurface::isosurface(surface),
-        Shape::Text(text) => shape::text::text(text, object.span),
-        _ => shape::shape(primitive).map_err(|keyword| Unsupported::new(object.span, format!("`{keyword}`"))),
+    fn compile(&self, primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> {
+        let inside = |object: &Arc<Object>| inside_of(object, self.settings);
+        let mut functions = TextureCompiler::new(self.settings).with_objects(&inside);
+        match primitive {
+            Shape::HeightField(field) => shape::height_field::height_field(field, &mut functions),
+            Shape::Isosurface(surface) => shape::isosurface::isosurface(surface, &mut functions),
+            Shape::Text(text) => shape::text::text(text, object.span),
+            _ => shape::shape(primitive)
+                .map_err(|keyword| Unsupported::new(object.span, format!("`{keyword}`"))),
+        }
     }
 }
 

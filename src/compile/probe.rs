@@ -7,6 +7,7 @@ use super::flatten::Flattener;
 use crate::math::{Bounds, DVec3};
 use crate::options::Accelerator;
 use crate::scene::Object;
+use crate::scene::settings::Settings;
 use crate::world::{Geometry, Inside, Range, Ray, RayKind};
 
 /// An object that can be asked about its geometry, in the space it is written in.
@@ -20,12 +21,12 @@ pub struct Probe {
 const NEAREST: f64 = 1e-4;
 
 impl Probe {
-    /// Compiles the geometry of an object, and nothing else of it.
+    /// Compiles the geometry of an object, and nothing else of it. The settings are for its functions.
     ///
     /// # Errors
     /// The parts that povista can't compile yet.
-    pub fn new(object: &Arc<Object>) -> Result<Self, Vec<Unsupported>> {
-        let mut flattener = Flattener::new(Accelerator::Auto, false);
+    pub fn new(object: &Arc<Object>, settings: &Settings) -> Result<Self, Vec<Unsupported>> {
+        let mut flattener = Flattener::new(settings, Accelerator::Auto, false);
         flattener.add_whole(object);
         let extent = flattener.reported_extent(object);
         let flat = flattener.finish();
@@ -44,7 +45,7 @@ impl Probe {
         let hit = self.geometry.hit(&ray, range, RayKind::empty())?;
         let surface = self.geometry.surface(&ray, &hit);
         let outward = if surface.inside { -surface.normal } else { surface.normal };
-        Some((surface.point, outward))
+        Some((surface.textured, outward))
     }
 
     /// Whether `point` is inside.
@@ -55,6 +56,20 @@ impl Probe {
     /// The box that `min_extent` and `max_extent` tell of (docs/spec/primitives.md 8).
     pub fn bounds(&self) -> Bounds {
         self.extent
+    }
+}
+
+/// How patterns ask for the inside of an object.
+///
+/// # Errors
+/// The first part that povista can't compile yet.
+pub fn inside_of(object: &Arc<Object>, settings: &Settings) -> Result<Arc<dyn Inside>, Unsupported> {
+    match Probe::new(object, settings) {
+        Ok(probe) => Ok(Arc::new(probe)),
+        Err(lacking) => Err(lacking
+            .into_iter()
+            .next()
+            .unwrap_or_else(|| Unsupported::new(object.span, "this object in a pattern"))),
     }
 }
 

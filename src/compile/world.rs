@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::flatten::{Flat, Flattener, InteriorUse, TextureUse};
 use super::object::legacy;
-use super::probe::Probe;
+use super::probe;
 use super::texture::TextureCompiler;
 use super::{Unsupported, atmosphere, camera, interior, light, needs, settings};
 use crate::math::Transform;
@@ -13,7 +13,7 @@ use crate::scene::{self, Object, Scene};
 use crate::source::Span;
 use crate::world::object::LeafFlags;
 use crate::world::parts::Parts;
-use crate::world::{Geometry, Inside, Interior, Member, Texture, World};
+use crate::world::{Geometry, Interior, Member, Texture, World};
 
 /// A world, and what of the scene is not in it.
 #[derive(Debug)]
@@ -28,13 +28,14 @@ pub struct Compiled {
 
 /// Compiles a scene.
 pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
-    let mut flattener = Flattener::new(options.accelerator, options.split_unions);
+    let mut flattener = Flattener::new(&scene.settings, options.accelerator, options.split_unions);
     for object in &scene.objects {
         flattener.add(object);
     }
     let mut flat = flattener.finish();
     let mut lacking = std::mem::take(&mut flat.unsupported);
     lack_of_settings(&scene, &mut lacking);
+    let inside_of = |object: &Arc<Object>| probe::inside_of(object, &scene.settings);
     let mut textures = TextureCompiler::new(&scene.settings)
         .with_quick_colors(options.quality <= 5)
         .with_objects(&inside_of);
@@ -73,17 +74,6 @@ fn lack_of_settings(scene: &Scene, lacking: &mut Vec<Unsupported>) {
     }
     if scene.settings.photons.is_some() {
         lacking.push(Unsupported::new(place, "photons"));
-    }
-}
-
-/// How patterns ask for the inside of an object.
-fn inside_of(object: &Arc<Object>) -> Result<Arc<dyn Inside>, Unsupported> {
-    match Probe::new(object) {
-        Ok(probe) => Ok(Arc::new(probe)),
-        Err(lacking) => Err(lacking
-            .into_iter()
-            .next()
-            .unwrap_or_else(|| Unsupported::new(object.span, "this object in a pattern"))),
     }
 }
 

@@ -22,8 +22,8 @@ pub(super) fn resolve(
     shade: &mut dyn FnMut(f32, &[Layer], &mut Sample),
 ) {
     let leaf = world.geometry.parts().leaf(hit.leaf);
-    let uv = if world.needs.uv { world.geometry.uv(hit, surface.point) } else { DVec2::ZERO };
-    let sample = Sample::on_surface(surface.point, surface.normal, ray.direction, uv);
+    let uv = if world.needs.uv { world.geometry.uv(hit, surface.textured) } else { DVec2::ZERO };
+    let sample = Sample::on_surface(surface.textured, surface.normal, ray.direction, uv);
     let sample = if leaf.flags.contains(LeafFlags::UV_MAPPING) { sample.uv_mapped() } else { sample };
     let bailout = world.settings.adc_bailout;
     for (number, share) in shares(world, leaf, hit, surface) {
@@ -39,7 +39,7 @@ fn shares(world: &World, leaf: &Leaf, hit: &Hit, surface: &Intersection) -> Shar
     let mut shares = Shares::new();
     let inner = leaf.interior_texture.filter(|_| surface.inside);
     let whole = inner.or(leaf.texture);
-    leaf.primitive.textures(leaf.inner_point(surface.point), &hit.crossing, &mut |number, share| {
+    leaf.primitive.textures(leaf.inner_point(surface.textured), &hit.crossing, &mut |number, share| {
         let own = || leaf.own_textures.clone().nth(number as usize);
         let texture = if number == OWN_TEXTURE { whole } else { own() };
         shares.extend(texture.map(|texture| (texture, share as f32)));

@@ -10,6 +10,8 @@ use crate::math::{Bounds, DVec2, DVec3};
 pub struct Intersection {
     /// The point.
     pub point: DVec3,
+    /// Where textures are looked up: `point`, but for surfaces that are only looked for to an accuracy.
+    pub textured: DVec3,
     /// How far rounding may have moved it; leaving rays start this far off the surface.
     pub error: f64,
     /// Unit normal, turned towards the viewer; interpolated on smooth triangles.
@@ -41,9 +43,14 @@ impl Geometry {
     /// Works out a hit of `ray`.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Intersection {
         let leaf = self.parts().leaf(hit.leaf);
-        let inner = leaf.primitive.reproject(leaf.inner(ray).at(hit.t), &hit.crossing);
-        let point = leaf.transform.as_ref().map_or(inner, |transform| transform.point(inner));
-        let normal = leaf.outer_normal(leaf.primitive.normal(inner, &hit.crossing));
+        let inner_ray = leaf.inner(ray);
+        let inner = leaf.primitive.reproject(inner_ray.at(hit.t), &hit.crossing);
+        let outer = |inner| leaf.transform.as_ref().map_or(inner, |transform| transform.point(inner));
+        let point = outer(inner);
+        let lag = leaf.primitive.lag(&hit.crossing);
+        let behind = if lag == 0.0 { inner } else { inner_ray.at(hit.t + lag) };
+        let textured = if lag == 0.0 { point } else { outer(behind) };
+        let normal = leaf.primitive.outer_normal(behind, &hit.crossing, &|normal| leaf.outer_normal(normal));
         let geometric = leaf.outer_normal(leaf.primitive.geometric_normal(inner, &hit.crossing));
         let inside = normal.dot(ray.direction) > 0.0;
         let turn = |n: DVec3| if inside { -n } else { n };
@@ -54,6 +61,7 @@ impl Geometry {
             .map_or(0.0, |transform| transform.forward.translation.abs().max_element());
         Intersection {
             point,
+            textured,
             error: ROUNDING * (coordinates + terms),
             normal: turn(normal),
             geometric: turn(geometric),

@@ -4,24 +4,25 @@ use super::Compiled;
 use crate::compile::Unsupported;
 use crate::compile::image::Use;
 use crate::compile::texture::TextureCompiler;
-use crate::scene::settings::Settings;
 use crate::scene::shape as scene;
 use crate::world::image::{Image, Pixels};
 use crate::world::shape::height_field::HeightField;
 
 /// The greatest sample.
-const WHITE: f32 = 65535.0;
+const WHITE: f64 = 65535.0;
 
 /// What POV-Ray takes of red, green and blue for their grey.
-const GREY: [f32; 3] = [0.297, 0.589, 0.114];
+const GREY: [f64; 3] = [0.297, 0.589, 0.114];
 
 /// Compiles a height field.
 ///
 /// # Errors
 /// An image that can't be used.
-pub fn height_field(field: &scene::HeightField) -> Result<Compiled, Unsupported> {
-    let settings = Settings::default();
-    let image = TextureCompiler::new(&settings).image(&field.image, Use::Number)?;
+pub fn height_field(
+    field: &scene::HeightField,
+    images: &mut TextureCompiler,
+) -> Result<Compiled, Unsupported> {
+    let image = images.image(&field.image, Use::Number)?;
     // The image's top row is the farthest.
     let rows = (0..image.height).rev();
     let heights = rows.flat_map(|y| (0..image.width).map(move |x| (x, y)));
@@ -42,17 +43,21 @@ fn sample(image: &Image, x: usize, y: usize) -> u16 {
         },
         Pixels::Words { channels, data, .. } => match data[at * channels..][..*channels] {
             [grey] | [grey, _] => grey,
-            [r, g, b, ..] => (grey([r, g, b].map(|v| f32::from(v) / WHITE)) * WHITE) as u16,
+            [r, g, b, ..] => level(grey([r, g, b].map(|v| f32::from(v) / WHITE as f32))),
             [] => 0,
         },
         Pixels::Floats(data) => {
             let [r, g, b, _] = data[at];
-            let value = if r == g && g == b { r } else { grey([r, g, b]) };
-            (value * WHITE) as u16
+            level(if r == g && g == b { r.into() } else { grey([r, g, b]) })
         }
     }
 }
 
-fn grey([r, g, b]: [f32; 3]) -> f32 {
-    GREY[0] * r + GREY[1] * g + GREY[2] * b
+fn level(value: f64) -> u16 {
+    (value * WHITE) as u16
+}
+
+/// In double precision of single precision colours, so that white has 65534.
+fn grey(color: [f32; 3]) -> f64 {
+    GREY.iter().zip(color).map(|(weight, v)| weight * f64::from(v)).sum()
 }

@@ -1,7 +1,8 @@
 //! The function and container of an `isosurface` (docs/spec/primitives.md 5.2).
 
 use super::Compiled;
-use crate::compile::{Unsupported, function};
+use crate::compile::Unsupported;
+use crate::compile::texture::TextureCompiler;
 use crate::scene::shape as scene;
 use crate::world::shape::r#box::Cuboid;
 use crate::world::shape::isosurface::{Container, Isosurface};
@@ -14,10 +15,13 @@ const MOST: u32 = 10;
 ///
 /// # Errors
 /// A function that uses what povista lacks.
-pub fn isosurface(surface: &scene::Isosurface) -> Result<Compiled, Unsupported> {
+pub fn isosurface(
+    surface: &scene::Isosurface,
+    functions: &mut TextureCompiler,
+) -> Result<Compiled, Unsupported> {
     let positive = |value: f64, default: f64| if value > 0.0 { value } else { default };
     Ok(Compiled::rare(Some(Isosurface {
-        function: function::function(&surface.function)?,
+        function: functions.function(&surface.function)?,
         threshold: surface.threshold,
         container: match surface.container {
             scene::Container::Box { min, max } => Container::Box(Cuboid { min, max }),

@@ -112,7 +112,9 @@ fn kerning(face: &Face<'_>, left: GlyphId, right: GlyphId) -> f64 {
     let tables = face.tables().kern.iter().flat_map(|kern| kern.subtables);
     let level = tables.filter(|table| table.horizontal && !table.has_cross_stream && !table.variable);
     let pairs = level.filter_map(|table| match table.format {
-        kern::Format::Format0(table) => table.pairs.into_iter().find(|pair| (pair.left(), pair.right()) == (left, right)),
+        kern::Format::Format0(table) => {
+            table.pairs.into_iter().find(|pair| (pair.left(), pair.right()) == (left, right))
+        }
         _ => None,
     });
     pairs.map(|pair| f64::from(pair.value)).sum()

@@ -6,6 +6,7 @@ use super::*;
 use crate::compile::flatten::Flattener;
 use crate::math::Bounds;
 use crate::options::Accelerator;
+use crate::scene::settings::Settings;
 use crate::world::shape::{Crossing, Primitive, Shape as Asked};
 use crate::world::{Geometry, Range, Ray, RayKind};
 
@@ -48,7 +49,8 @@ impl Asked for Counting {
 /// Questions per ray, over rays from all sides into the cube -1 … 1, of which some hit.
 fn cost(object: &Arc<Object>) -> f64 {
     const RAYS: usize = 1000;
-    let mut flattener = Flattener::new(Accelerator::Auto, false);
+    let settings = Settings::default();
+    let mut flattener = Flattener::new(&settings, Accelerator::Auto, false);
     flattener.add(object);
     let mut parts = flattener.finish().parts;
     let asked = Arc::new(AtomicUsize::new(0));

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use super::probe::Probe;
 use crate::math::{DVec3, Transform};
 use crate::scene::object::{ObjectExtra, ObjectFlags};
+use crate::scene::settings::Settings;
 use crate::scene::shape::{Cone, Csg, CsgOperation, Disc, Poly, Quadric, Triangle};
 use crate::scene::{Object, Shape};
 use crate::source::Span;
@@ -91,7 +92,7 @@ fn clipped(mut object: Arc<Object>, clips: impl IntoIterator<Item = Arc<Object>>
 }
 
 fn probe(object: &Arc<Object>) -> Probe {
-    Probe::new(object).unwrap()
+    Probe::new(object, &Settings::default()).unwrap()
 }
 
 /// A small generator of repeatable numbers.

@@ -4,11 +4,13 @@ use super::*;
 use crate::compile::flatten::{Flat, Flattener};
 use crate::options::Accelerator;
 use crate::scene::light::{Light, LightKind};
+use crate::scene::settings::Settings;
 use crate::scene::shape::LightGroup;
 use crate::world::{Geometry, Hit, Range, Ray, RayKind};
 
 fn flat(objects: &[Arc<Object>], accelerator: Accelerator) -> Flat {
-    let mut flattener = Flattener::new(accelerator, false);
+    let settings = Settings::default();
+    let mut flattener = Flattener::new(&settings, accelerator, false);
     objects.iter().for_each(|object| flattener.add(object));
     flattener.finish()
 }

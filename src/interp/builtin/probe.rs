@@ -7,7 +7,7 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use super::arguments;
-use crate::compile::probe::Probe;
+use crate::compile::probe::{Probe, inside_of};
 use crate::compile::texture::TextureCompiler;
 use crate::compile::{Reason, Unsupported};
 use crate::interp::stream::TokenKind;
@@ -128,13 +128,9 @@ fn compiled_function(vm: &mut Vm, function: &Arc<Function>, span: Span) -> Resul
     if let Some((_, compiled)) = vm.compiled.functions.get(&Arc::as_ptr(function)) {
         return Ok(compiled.clone());
     }
-    // While a scene is read there are always ten sources of waves (docs/spec/patterns-textures.md 0.1).
-    let settings = Settings { number_of_waves: 10, ..vm.state.settings_in(vm.version, vm.version_written) };
+    let settings = settings(vm);
     let compiled = TextureCompiler::new(&settings)
-        .with_objects(&|object| match Probe::new(object) {
-            Ok(probe) => Ok(Arc::new(probe)),
-            Err(lacking) => Err(first(lacking, object.span)),
-        })
+        .with_objects(&|object| inside_of(object, &settings))
         .function(function);
     let compiled = compiled.map_err(|lacking| refused(vm, &lacking, span))?;
     vm.compiled.functions.insert(Arc::as_ptr(function), (function.clone(), compiled.clone()));
@@ -154,10 +150,17 @@ fn read_object(vm: &mut Vm, span: Span) -> Result<Rc<Probe>> {
     if let Some((_, probe)) = vm.compiled.objects.get(&Arc::as_ptr(&object)) {
         return Ok(probe.clone());
     }
-    let probe = Probe::new(&object).map_err(|lacking| refused(vm, &first(lacking, object.span), span))?;
+    let probe = Probe::new(&object, &settings(vm))
+        .map_err(|lacking| refused(vm, &first(lacking, object.span), span))?;
     let probe = Rc::new(probe);
     vm.compiled.objects.insert(Arc::as_ptr(&object), (object, probe.clone()));
     Ok(probe)
+}
+
+/// The settings so far. While a scene is read there are always ten sources of waves
+/// (docs/spec/patterns-textures.md 0.1).
+fn settings(vm: &Vm) -> Settings {
+    Settings { number_of_waves: 10, ..vm.state.settings_in(vm.version, vm.version_written) }
 }
 
 fn first(lacking: Vec<Unsupported>, span: Span) -> Unsupported {

@@ -130,7 +130,7 @@ impl HeightField {
         }
         let coarse = (sum.normalize() * NORMAL_STEPS).trunc();
         let [width, depth] = self.size;
-        (coarse * DVec3::new((width - 1) as f64, FULL, (depth - 1) as f64)).normalize()
+        coarse * DVec3::new((width - 1) as f64, FULL, (depth - 1) as f64)
     }
 }
 
@@ -189,16 +189,21 @@ impl Shape for HeightField {
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        self.outer_normal(point, crossing, &DVec3::normalize)
+    }
+
+    fn outer_normal(&self, point: DVec3, crossing: &Crossing, outer: &dyn Fn(DVec3) -> DVec3) -> DVec3 {
         if !self.smooth {
-            return self.geometric_normal(point, crossing);
+            return outer(self.geometric_normal(point, crossing));
         }
         let [width, depth] = self.size;
         let cell = crossing.part as usize / 2;
         let (x, z) = (cell % width, cell / width);
         let u = (point.x * (width - 1) as f64 - x as f64).clamp(0.0, 1.0);
         let v = (point.z * (depth - 1) as f64 - z as f64).clamp(0.0, 1.0);
-        let row = |z: usize| self.sample_normal(x, z).lerp(self.sample_normal(x + 1, z), u);
-        row(z).lerp(row(z + 1), v)
+        let corner = |x: usize, z: usize| outer(self.sample_normal(x, z));
+        let row = |z: usize| corner(x, z).lerp(corner(x + 1, z), u);
+        row(z).lerp(row(z + 1), v).normalize()
     }
 
     fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {

@@ -75,6 +75,7 @@ struct Search<'a> {
     origin: DVec3,
     direction: DVec3,
     gradient: f64,
+    accuracy: f64,
 }
 
 impl Search<'_> {
@@ -97,7 +98,7 @@ impl Search<'_> {
                 }
             }
             let middle = low.0 + 0.5 * length;
-            if length < self.surface.accuracy || middle <= low.0 || middle >= high.0 {
+            if length < self.accuracy || middle <= low.0 || middle >= high.0 {
                 if high.1 < 0.0 {
                     let root = if low.1 > 0.0 { between(low, high, |t| sign * self.value(t)) } else { low.0 };
                     return Some((root, high.0));
@@ -132,22 +133,27 @@ impl Isosurface {
             origin: ray.at(begin),
             direction: ray.direction / speed,
             gradient: self.max_gradient,
+            // In POV-Ray it is a length in the scene, which is too coarse for what is scaled down.
+            accuracy: self.accuracy * speed.min(1.0),
         };
+        let away = AWAY * search.accuracy;
         let end = (stretch.leave.t - begin) * speed;
-        let mut push = |t: f64, part: u32| found(Crossing::new(begin + t / speed, part));
+        let mut push = |t: f64, lag: f64, part: u32| {
+            found(Crossing { at: [lag / speed, 0.0], ..Crossing::new(begin + t / speed, part) })
+        };
         let value = search.value(0.0);
         let mut left = self.most;
         let (mut from, mut inside) = (0.0, value < 0.0);
         if begin > start {
             if inside && !self.open {
                 left -= 1;
-                if !push(0.0, stretch.enter.part + 1) {
+                if !push(0.0, 0.0, stretch.enter.part + 1) {
                     return;
                 }
             }
         } else if value.abs() < 4.0 * self.max_gradient * self.accuracy {
             // The ray starts on the surface, or as good as: which side it is on shows a little farther.
-            from = (AWAY * self.accuracy).min(end);
+            from = away.min(end);
             inside = search.value(from) < 0.0;
         }
         while left > 0 {
@@ -157,16 +163,16 @@ impl Isosurface {
             };
             left -= 1;
             inside = !inside;
-            if !push(root, 0) {
+            if !push(root, after - root, 0) {
                 return;
             }
-            from = after + AWAY * self.accuracy;
+            from = after + away;
             if from >= end {
                 break;
             }
         }
         if inside && !self.open && (left > 0 || self.most == 1 && begin <= start) && search.value(end) < 0.0 {
-            push(end, stretch.leave.part + 1);
+            push(end, 0.0, stretch.leave.part + 1);
         }
     }
 }
@@ -207,6 +213,11 @@ impl Shape for Isosurface {
         let rise = |axis: DVec3| self.value(point + self.accuracy * axis) - here;
         let normal = DVec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z));
         normal.try_normalize().unwrap_or(DVec3::X)
+    }
+
+    /// POV-Ray stops up to the accuracy behind the surface: textures as fine as that show it.
+    fn lag(&self, crossing: &Crossing) -> f64 {
+        crossing.at[0]
     }
 
     fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

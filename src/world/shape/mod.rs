@@ -109,6 +109,12 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         self.normal(point, crossing)
     }
 
+    /// [`Shape::normal`] in the space around: `outer` takes a normal there and makes it unit. Overridden
+    /// where POV-Ray blends normals that it has taken there.
+    fn outer_normal(&self, point: DVec3, crossing: &Crossing, outer: &dyn Fn(DVec3) -> DVec3) -> DVec3 {
+        outer(self.normal(point, crossing))
+    }
+
     /// Texture coordinates at a crossing; `None` where POV-Ray has none and takes world x and y.
     fn uv(&self, _point: DVec3, _crossing: &Crossing) -> Option<DVec2> {
         None
@@ -118,6 +124,12 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     /// at a crossing; the weights sum to 1. Never called back: the object's texture, which is otherwise
     /// [`OWN_TEXTURE`].
     fn textures(&self, _point: DVec3, _crossing: &Crossing, _found: &mut dyn FnMut(u32, f64)) {}
+
+    /// How far behind a crossing, as a distance along the ray, POV-Ray takes the surface to be: there
+    /// textures are looked up and normals taken, while rays leave from the crossing itself.
+    fn lag(&self, _crossing: &Crossing) -> f64 {
+        0.0
+    }
 
     /// Moves a computed hit point onto the surface as exactly as f64 allows.
     fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {

@@ -125,6 +125,14 @@ impl Shape for Primitive {
         each!(self, shape => shape.textures(point, crossing, found));
     }
 
+    fn outer_normal(&self, point: DVec3, crossing: &Crossing, outer: &dyn Fn(DVec3) -> DVec3) -> DVec3 {
+        each!(self, shape => shape.outer_normal(point, crossing, outer))
+    }
+
+    fn lag(&self, crossing: &Crossing) -> f64 {
+        each!(self, shape => shape.lag(crossing))
+    }
+
     fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
         each!(self, shape => shape.reproject(point, crossing))
     }

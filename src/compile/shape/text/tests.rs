@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::compile::probe::Probe;
+use crate::scene::settings::Settings;
 use crate::scene::{Object, Shape};
 
 fn font(name: &str) -> Font {
@@ -18,7 +19,8 @@ fn object(font: Font, letters: &str, thickness: f64, offset: [f64; 3]) -> Arc<Ob
 }
 
 fn probe(name: &str, letters: &str, thickness: f64, offset: [f64; 3]) -> Probe {
-    Probe::new(&object(font(name), letters, thickness, offset)).expect("install povray-includes")
+    Probe::new(&object(font(name), letters, thickness, offset), &Settings::default())
+        .expect("install povray-includes")
 }
 
 #[track_caller]
@@ -151,7 +153,7 @@ fn extents_hold_the_points_and_the_box_the_font_tells() {
 #[test]
 fn fonts_that_cannot_be_used_are_named() {
     let message = |font: Font| {
-        let errors = Probe::new(&object(font, "A", 1., [0.; 3])).unwrap_err();
+        let errors = Probe::new(&object(font, "A", 1., [0.; 3]), &Settings::default()).unwrap_err();
         errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
     };
     let broken = Font::File("Cargo.toml".into(), Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml"));
