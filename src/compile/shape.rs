@@ -7,7 +7,7 @@ pub mod text;
 
 use std::sync::Arc;
 
-use crate::math::{DMat3, DVec3, Transform};
+use crate::math::{DMat3, DVec2, DVec3, Transform};
 use crate::scene::shape as scene;
 use crate::world::shape::bicubic_patch::BicubicPatch;
 use crate::world::shape::blob::{self, Blob};
@@ -16,6 +16,7 @@ use crate::world::shape::cone::Cone;
 use crate::world::shape::cylinder::Cylinder;
 use crate::world::shape::disc::Disc;
 use crate::world::shape::empty::Empty;
+use crate::world::shape::julia_fractal::hypercomplex::Function;
 use crate::world::shape::julia_fractal::{JuliaFractal, Map};
 use crate::world::shape::mesh::{self, Mesh};
 use crate::world::shape::ovus::Ovus;
@@ -89,7 +90,7 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::Blob(blob) => Compiled::rare(Some(field(blob))),
         S::HeightField(_) => return Err("height_field"),
         S::Isosurface(_) => return Err("isosurface"),
-        S::JuliaFractal(julia) => Compiled::rare(fractal(julia)?),
+        S::JuliaFractal(julia) => Compiled::rare(fractal(julia)),
         S::Lathe(lathe) => Compiled::rare(outline::lathe(lathe)),
         S::Prism(prism) => Compiled::rare(outline::prism(prism)),
         S::Sor(sor) => Compiled::rare(Sor::new(&sor.points, sor.open)),
@@ -177,27 +178,45 @@ fn field(blob: &scene::Blob) -> Blob {
     Blob::new(parts, blob.threshold)
 }
 
-fn fractal(julia: &scene::JuliaFractal) -> Result<Option<JuliaFractal>, &'static str> {
+fn fractal(julia: &scene::JuliaFractal) -> Option<JuliaFractal> {
     use scene::JuliaFunction as F;
     let map = match (julia.hypercomplex, julia.function) {
-        (false, F::Sqr) => Map::Square,
-        (false, F::Cube) => Map::Cube,
+        // Of quaternions there are no others.
+        (false, function) => {
+            if function == F::Cube {
+                Map::Cube
+            } else {
+                Map::Square
+            }
+        }
         (true, F::Sqr) => Map::HypercomplexSquare { cube: false },
         (true, F::Cube) => Map::HypercomplexSquare { cube: true },
-        (true, F::Reciprocal) => Map::HypercomplexReciprocal,
-        _ => return Err("julia_fractal"),
+        (true, F::Exp) => Map::Hypercomplex(Function::Exp),
+        (true, F::Reciprocal) => Map::Hypercomplex(Function::Reciprocal),
+        (true, F::Sin) => Map::Hypercomplex(Function::Sin),
+        (true, F::Asin) => Map::Hypercomplex(Function::Asin),
+        (true, F::Sinh) => Map::Hypercomplex(Function::Sinh),
+        (true, F::Asinh) => Map::Hypercomplex(Function::Asinh),
+        (true, F::Cos) => Map::Hypercomplex(Function::Cos),
+        (true, F::Acos) => Map::Hypercomplex(Function::Acos),
+        (true, F::Cosh) => Map::Hypercomplex(Function::Cosh),
+        (true, F::Acosh) => Map::Hypercomplex(Function::Acosh),
+        (true, F::Tan) => Map::Hypercomplex(Function::Tan),
+        (true, F::Atan) => Map::Hypercomplex(Function::Atan),
+        (true, F::Tanh) => Map::Hypercomplex(Function::Tanh),
+        (true, F::Atanh) => Map::Hypercomplex(Function::Atanh),
+        (true, F::Ln) => Map::Hypercomplex(Function::Ln),
+        (true, F::Pwr(re, im)) => Map::Hypercomplex(Function::Power(DVec2::new(re, im))),
     };
     let (normal, distance) = julia.slice;
-    let Some(normal) = normal.try_normalize().filter(|normal| normal.w != 0.0) else {
-        return Ok(None);
-    };
-    Ok(Some(JuliaFractal {
+    let normal = normal.try_normalize().filter(|normal| normal.w != 0.0)?;
+    Some(JuliaFractal {
         constant: julia.parameter,
         map,
         iterations: julia.max_iteration.max(1),
         step: 1.0 / julia.precision.max(1.0),
         slice: (-normal.truncate()).extend(distance) / normal.w,
-    }))
+    })
 }
 
 fn triangles(mesh: &Arc<scene::Mesh>) -> Compiled {

@@ -1,9 +1,12 @@
 //! `julia_fractal` (docs/spec/primitives.md 5.3).
 
+pub mod hypercomplex;
+
 use super::sphere::Sphere;
 use super::{Crossing, Shape};
 use crate::math::{Bounds, DVec3, DVec4};
 use crate::world::{Range, Ray};
+use hypercomplex::Function;
 
 /// The points of a slice through four dimensions that never leave a ball while a function with a
 /// constant added is applied to them again and again.
@@ -22,7 +25,7 @@ pub struct JuliaFractal {
 }
 
 /// The function a [`JuliaFractal`] applies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Map {
     /// The square of a quaternion.
     Square,
@@ -34,8 +37,8 @@ pub enum Map {
         /// It was called `cube`.
         cube: bool,
     },
-    /// One over a hypercomplex number.
-    HypercomplexReciprocal,
+    /// Another function of a hypercomplex number.
+    Hypercomplex(Function),
 }
 
 /// How near the march comes to the surface.
@@ -53,26 +56,6 @@ fn product(a: DVec4, b: DVec4) -> DVec4 {
         a.x * b.z - a.y * b.w + a.z * b.x + a.w * b.y,
         a.x * b.w + a.y * b.z - a.z * b.y + a.w * b.x,
     )
-}
-
-/// The product of hypercomplex numbers.
-fn hypercomplex(a: DVec4, b: DVec4) -> DVec4 {
-    DVec4::new(
-        a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w,
-        a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
-        a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w,
-        a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w,
-    )
-}
-
-/// One over a hypercomplex number, by way of the two complex numbers it is made of.
-fn reciprocal(q: DVec4) -> DVec4 {
-    let one_over = |re: f64, im: f64| {
-        let square = re * re + im * im;
-        (re / square, -im / square)
-    };
-    let (a, b) = (one_over(q.x - q.w, q.y + q.z), one_over(q.x + q.w, q.y - q.z));
-    0.5 * DVec4::new(a.0 + b.0, a.1 + b.1, a.1 - b.1, b.0 - a.0)
 }
 
 /// What an orbit says about the point it began at.
@@ -106,8 +89,8 @@ impl JuliaFractal {
         let image = match self.map {
             Map::Square => product(q, q),
             Map::Cube => product(q, product(q, q)),
-            Map::HypercomplexSquare { .. } => hypercomplex(q, q),
-            Map::HypercomplexReciprocal => reciprocal(q),
+            Map::HypercomplexSquare { .. } => hypercomplex::product(q, q),
+            Map::Hypercomplex(function) => function.apply(q),
         };
         image + self.constant
     }
@@ -158,15 +141,16 @@ impl JuliaFractal {
             }
             return DVec3::from_array(rows.map(|row| row.dot(q)));
         }
-        let mut t = q;
+        // The product of the slopes of all turns. POV-Ray's are other functions but for squares.
+        let slope = |q| match self.map {
+            Map::Hypercomplex(function) => function.slope(q),
+            _ => q,
+        };
+        let mut t = slope(q);
         for turn in 1..=iterations {
             q = self.apply(q);
             if turn < iterations {
-                let inverse = reciprocal(q);
-                t = match self.map {
-                    Map::HypercomplexReciprocal => -hypercomplex(t, hypercomplex(inverse, inverse)),
-                    _ => hypercomplex(t, q),
-                };
+                t = hypercomplex::product(t, slope(q));
             }
         }
         if self.map == (Map::HypercomplexSquare { cube: false }) {
@@ -194,9 +178,16 @@ impl JuliaFractal {
         // rough: like POV-Ray's shadow rays it meets nothing at once.
         let mut t = if begin > start { NEAR } else { AT_ONCE };
         let mut here = at(t);
+        // What reaches the ball ends there.
+        if here.inside && begin > start && !found(begin) {
+            return;
+        }
         while t < end {
             let next = t + here.clear;
             if next > end {
+                if here.inside {
+                    found(stretch.leave.t);
+                }
                 return;
             }
             let there = at(next);
@@ -259,6 +250,7 @@ mod tests {
     use super::super::battery::Probe;
     use super::super::battery::table;
     use super::*;
+    use crate::math::DVec2;
 
     fn make(constant: [f64; 4], map: Map, iterations: u32, precision: f64) -> JuliaFractal {
         let constant = DVec4::from(constant);
@@ -351,6 +343,30 @@ mod tests {
         let cube = of(Map::HypercomplexSquare { cube: true });
         table(&square, "inside <0.1,0.2,0.3> | 1\nextent | <-4, -4, -4> .. <4, 4, 4>");
         table(&cube, "inside <0.1,0.2,0.3> | 1");
-        table(&of(Map::HypercomplexReciprocal), "inside <0.1,0.2,0.3> | 0");
+        let inside =
+            [Function::Ln, Function::Sin, Function::Asin, Function::Cos, Function::Tan, Function::Cosh];
+        for function in inside {
+            table(&of(Map::Hypercomplex(function)), "inside <0.1,0.2,0.3> | 1");
+        }
+        for function in [Function::Reciprocal, Function::Power(DVec2::new(3.0, 0.5))] {
+            table(&of(Map::Hypercomplex(function)), "inside <0.1,0.2,0.3> | 0");
+        }
+    }
+
+    /// POV-Ray looks for these on a wrong point and takes wrong normals.
+    #[test]
+    fn functions_have_the_normals_of_their_surface() {
+        let fractal = make([-0.162, 0.163, 0.56, -0.599], Map::Hypercomplex(Function::Sin), 3, 30.0);
+        let hit = Probe::new([0.1, 0.2, -7.0].into(), [0.01, 0.02, 1.0].into()).hit(&fractal).unwrap();
+        let beyond = |p: DVec3| {
+            let mut q = fractal.start(p);
+            for _ in 0..fractal.iterations {
+                q = fractal.apply(q);
+            }
+            q.length_squared()
+        };
+        let rise = |axis: DVec3| beyond(hit.point + 1e-6 * axis) - beyond(hit.point - 1e-6 * axis);
+        let normal = DVec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z)).normalize();
+        assert!(hit.normal.abs_diff_eq(normal, 1e-6), "{} {normal}", hit.normal);
     }
 }
