@@ -26,7 +26,7 @@ impl Intersection {
     /// A point in space, where media are lit: rays leave it in all directions.
     pub fn in_space(point: DVec3) -> Self {
         let error = ROUNDING * point.abs().max_element();
-        Self { point, error, normal: DVec3::ZERO, geometric: DVec3::ZERO, inside: false }
+        Self { point, textured: point, error, normal: DVec3::ZERO, geometric: DVec3::ZERO, inside: false }
     }
 
     /// Where a ray in `direction` starts that leaves the surface here.
