@@ -1,13 +1,16 @@
 //! Noise: lattice noise, vector noise and turbulence, equal to POV-Ray's to the last bit
 //! (docs/spec/patterns-textures.md 1).
 
+#[cfg(target_arch = "x86_64")]
+mod avx2;
+mod lattice;
 mod tables;
 
 use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use tables::{GRADIENT, HASH, HASH_SIZE, PERLIN, PERLIN_SIZE, Stream, UNIFORM, UNIFORM_SIZE};
+use tables::{HASH, HASH_SIZE, PERLIN, PERLIN_SIZE, Stream, UNIFORM, UNIFORM_SIZE};
 
 /// What POV-Ray adds where a coordinate on a boundary must fall on one side.
 pub const EPSILON: f64 = 1e-10;
@@ -16,80 +19,69 @@ pub const EPSILON: f64 = 1e-10;
 pub fn noise(generator: u8, p: DVec3) -> f64 {
     match generator {
         3 => perlin(p),
-        2 => ((lattice_sum(p) + 1.05242) * 0.48985582).clamp(0.0, 1.0),
-        _ => (lattice_sum(p) + 0.5).clamp(0.0, 1.0),
+        _ => leveled(generator, lattice_sum(p)),
     }
 }
 
-/// A coordinate's place between two lattice planes.
-#[derive(Clone, Copy)]
-struct Place {
-    /// Number of the lower plane.
-    index: usize,
-    /// Distances from the lower and the upper plane; the second is negative.
-    offset: [f64; 2],
-    /// Influence of the lower and the upper plane.
-    weight: [f64; 2],
-}
-
-impl Place {
-    fn of(c: f64) -> Self {
-        let t = if c >= 0.0 { c as i32 } else { (c - (1.0 - EPSILON)) as i32 };
-        let f = c - f64::from(t);
-        let s = f * f * (3.0 - 2.0 * f);
-        let index = (t.wrapping_add(10000) & 4095) as usize;
-        Self { index, offset: [f, f - 1.0], weight: [1.0 - s, s] }
+/// Brings a lattice sum to 0 … 1.
+fn leveled(generator: u8, sum: f64) -> f64 {
+    match generator {
+        2 => ((sum + 1.05242) * 0.48985582).clamp(0.0, 1.0),
+        _ => (sum + 0.5).clamp(0.0, 1.0),
     }
 }
 
-fn hashed(table: &[u16; HASH_SIZE], index: usize) -> usize {
-    usize::from(table[index & (HASH_SIZE - 1)])
-}
-
-/// Calls `corner` with gradient index, weight and offset of the eight corners, in the given order
-/// (bit 0 the side in x, bit 1 in y, bit 2 in z).
-fn corners(p: DVec3, order: [usize; 8], mut corner: impl FnMut(usize, f64, DVec3)) {
-    let table = &**HASH;
-    let [x, y, z] = [Place::of(p.x), Place::of(p.y), Place::of(p.z)];
-    let low = hashed(table, x.index);
-    let high = hashed(table, x.index + 1);
-    let columns = [
-        hashed(table, low ^ y.index),
-        hashed(table, high ^ y.index),
-        hashed(table, low ^ (y.index + 1)),
-        hashed(table, high ^ (y.index + 1)),
-    ];
-    for side in order {
-        let (i, j, k) = (side & 1, side >> 1 & 1, side >> 2);
-        let m = hashed(table, columns[side & 3] ^ (z.index + k)) & 255;
-        let weight = x.weight[i] * y.weight[j] * z.weight[k];
-        corner(m, weight, DVec3::new(x.offset[i], y.offset[j], z.offset[k]));
-    }
-}
-
-/// Height of the plane through one corner.
-fn slope(r: &[f64], d: DVec3) -> f64 {
-    r[0] * 0.5 + r[1] * d.x + r[2] * d.y + r[3] * d.z
-}
-
+/// What the corners of the cell around `p` add up to.
 fn lattice_sum(p: DVec3) -> f64 {
-    let r = &*GRADIENT;
-    let mut sum = 0.0;
-    corners(p, [0, 1, 2, 3, 4, 5, 6, 7], |m, weight, d| sum += weight * slope(&r[m..m + 4], d));
-    sum
+    #[cfg(target_arch = "x86_64")]
+    if let Some(lattice) = avx2::Lattice::get() {
+        return lattice.sum(p);
+    }
+    lattice::sum(p)
+}
+
+/// Noise at `p` scaled by each of `scales`; a scale of 1 is exact.
+pub fn noise_scaled<const N: usize>(generator: u8, p: DVec3, scales: &[f64; N]) -> [f64; N] {
+    let mut values = [0.0; N];
+    noise_octaves(generator, p, scales, &mut values);
+    values
+}
+
+/// Noise at `p` scaled by each of `scales`, into as many `values`.
+fn noise_octaves(generator: u8, p: DVec3, scales: &[f64], values: &mut [f64]) {
+    #[cfg(target_arch = "x86_64")]
+    if let (Some(lattice), 0..=2) = (avx2::Lattice::get(), generator) {
+        lattice.sums(p, scales, values);
+        values.iter_mut().for_each(|sum| *sum = leveled(generator, *sum));
+        return;
+    }
+    for (scale, value) in scales.iter().zip(values) {
+        *value = noise(generator, *scale * p);
+    }
 }
 
 /// Vector noise; every component about -0.6 … 0.6. The same for all generators.
 pub fn vector_noise(p: DVec3) -> DVec3 {
-    let r = &*GRADIENT;
-    let mut sum = DVec3::ZERO;
-    corners(p, [0, 1, 3, 2, 6, 7, 5, 4], |m, weight, d| {
-        let r = &r[m..m + 12];
-        sum.x += weight * slope(&r[0..4], d);
-        sum.y += weight * slope(&r[4..8], d);
-        sum.z += weight * slope(&r[8..12], d);
-    });
-    sum
+    let [v] = vector_noise_scaled(p, &[1.0]);
+    v
+}
+
+/// Vector noise at `p` scaled by each of `scales`; a scale of 1 is exact.
+pub fn vector_noise_scaled<const N: usize>(p: DVec3, scales: &[f64; N]) -> [DVec3; N] {
+    let mut vectors = [DVec3::ZERO; N];
+    vector_octaves(p, scales, &mut vectors);
+    vectors
+}
+
+/// Vector noise at `p` scaled by each of `scales`, into as many `vectors`.
+fn vector_octaves(p: DVec3, scales: &[f64], vectors: &mut [DVec3]) {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(lattice) = avx2::Lattice::get() {
+        return lattice.vectors(p, scales, vectors);
+    }
+    for (scale, vector) in scales.iter().zip(vectors) {
+        *vector = lattice::vector(*scale * p);
+    }
 }
 
 /// Generator 3.
@@ -127,34 +119,53 @@ pub struct Octaves {
     pub lambda: f64,
 }
 
+/// The most octaves there may be.
+const MOST_OCTAVES: usize = 10;
+
 impl Octaves {
     /// Scalar turbulence at `p`.
     pub fn scalar(&self, generator: u8, p: DVec3) -> f64 {
-        let single = |q| match generator {
-            2 | 3 => 2.0 * noise(generator, q) - 0.5,
-            _ => noise(generator, q),
-        };
-        let first = single(p);
-        let mut sum = if generator > 1 { first.clamp(0.0, 1.0) } else { first };
-        for (frequency, strength) in self.steps().skip(1) {
-            sum += strength * single(frequency * p);
+        let mut values = [0.0; MOST_OCTAVES];
+        let values = &mut values[..self.count()];
+        noise_octaves(generator, p, &self.frequencies()[..values.len()], values);
+        if generator > 1 {
+            values.iter_mut().for_each(|n| *n = 2.0 * *n - 0.5);
+            values[0] = values[0].clamp(0.0, 1.0);
+        }
+        let mut sum = values[0];
+        let mut strength = 1.0;
+        for n in &values[1..] {
+            strength *= self.omega;
+            sum += strength * n;
         }
         sum
     }
 
     /// Vector turbulence at `p`.
     pub fn vector(&self, p: DVec3) -> DVec3 {
-        let mut sum = vector_noise(p);
-        for (frequency, strength) in self.steps().skip(1) {
-            sum += strength * vector_noise(frequency * p);
+        let mut vectors = [DVec3::ZERO; MOST_OCTAVES];
+        let vectors = &mut vectors[..self.count()];
+        vector_octaves(p, &self.frequencies()[..vectors.len()], vectors);
+        let mut sum = vectors[0];
+        let mut strength = 1.0;
+        for v in &vectors[1..] {
+            strength *= self.omega;
+            sum += strength * *v;
         }
         sum
     }
 
-    fn steps(&self) -> impl Iterator<Item = (f64, f64)> + use<> {
-        let (lambda, omega) = (self.lambda, self.omega);
-        let next = move |&(frequency, strength): &(f64, f64)| Some((frequency * lambda, strength * omega));
-        std::iter::successors(Some((1.0, 1.0)), next).take(self.count as usize)
+    fn count(&self) -> usize {
+        (self.count as usize).clamp(1, MOST_OCTAVES)
+    }
+
+    fn frequencies(&self) -> [f64; MOST_OCTAVES] {
+        let mut frequency = 1.0;
+        std::array::from_fn(|_| {
+            let this = frequency;
+            frequency *= self.lambda;
+            this
+        })
     }
 }
 
@@ -165,9 +176,9 @@ pub fn hash(index: i32) -> i32 {
 
 /// Hash of a cell's three integer coordinates, 0 … 4095 (docs/spec/patterns-textures.md 1.2).
 pub fn cell_hash(cell: [i32; 3]) -> usize {
-    let table = &**HASH;
     let low = |c: i32| (c & 4095) as usize;
-    hashed(table, hashed(table, hashed(table, low(cell[0])) ^ low(cell[1])) ^ low(cell[2]))
+    let hashed = |index: usize| usize::from(HASH[index & (HASH_SIZE - 1)]);
+    hashed(hashed(hashed(low(cell[0])) ^ low(cell[1])) ^ low(cell[2]))
 }
 
 /// The `index`-th uniform random number of the fixed table, 0 … 1; indices wrap.

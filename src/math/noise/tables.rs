@@ -33,6 +33,9 @@ pub(super) static HASH: LazyLock<Box<[u16; HASH_SIZE]>> = LazyLock::new(|| {
     table
 });
 
+/// Added to the number of a lattice plane before it is hashed.
+pub(super) const SHIFT: i32 = 10000;
+
 /// Length of the gradient table: the largest corner starts at 255 + 8 and reads four entries.
 pub(super) const GRADIENTS: usize = 267;
 

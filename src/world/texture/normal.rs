@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::blend_map::{BlendMap, Pick};
-use crate::math::noise::vector_noise;
+use crate::math::noise::{vector_noise, vector_noise_scaled};
 use crate::math::{DVec2, DVec3};
 use crate::world::image::ImageMap;
-use crate::world::pattern::noise::dents;
+use crate::world::pattern::noise::{WRINKLES, dents};
 use crate::world::pattern::{Formula, Pattern};
 use crate::world::sample::Sample;
 use crate::world::warp::Warps;
@@ -100,11 +100,8 @@ impl Normal {
             Formula::Bumps(_) => n + amount * vector_noise(p),
             Formula::Dents(generator) => n + (dents(*generator, p) * amount) * vector_noise(p),
             Formula::Wrinkles(_) => {
-                let octave = |i| {
-                    let scale = f64::from(1 << i);
-                    (vector_noise(scale * p) / scale).abs()
-                };
-                n + amount * (0..10).map(octave).sum::<DVec3>()
+                let octaves = vector_noise_scaled(p, &WRINKLES).into_iter().zip(WRINKLES);
+                n + amount * octaves.map(|(v, scale)| (v / scale).abs()).sum::<DVec3>()
             }
             _ => self.by_slopes(sample, n, |p| pattern.value_at(p, sample)),
         }

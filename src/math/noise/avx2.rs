@@ -1,0 +1,383 @@
+//! Lattice noise on four lanes at once, for processors with AVX2. The same operations in the same order as in
+//! [`super::lattice`] give the same bits: what a cell's corners add is summed one after the other, and lanes hold
+//! what is independent: several points, the components of a vector, or products before they are summed.
+
+use std::arch::x86_64::*;
+use std::sync::LazyLock;
+
+use glam::DVec3;
+
+use super::EPSILON;
+use super::tables::{GRADIENT, HASH, HASH_SIZE, SHIFT};
+
+/// The fixed tables in the order in which they are read here. There is one only where there is AVX2.
+pub(super) struct Lattice {
+    /// The lattice hash table.
+    hash: [u16; HASH_SIZE],
+    /// The lowest eight bits of its entries, which number the gradient of a corner.
+    low: [u8; HASH_SIZE],
+    /// Half of an entry of the gradient table, and the three after it.
+    slopes: [__m256d; 256],
+    /// For each component of vector noise its entry of the gradient table.
+    vectors: [__m256d; 259],
+    /// The same, halved.
+    halves: [__m256d; 256],
+}
+
+static LATTICE: LazyLock<Option<Box<Lattice>>> = LazyLock::new(|| {
+    // SAFETY: the processor has been asked.
+    is_x86_feature_detected!("avx2").then(|| unsafe { Lattice::new() })
+});
+
+/// A point seen from its cell.
+struct Place {
+    /// Numbers of the cell's lower planes.
+    cell: [u32; 3],
+    /// Distances from the lower and the upper planes in lanes 0, 1, 2.
+    offset: [__m256d; 2],
+    /// Influence of the lower and the upper planes.
+    weight: [__m256d; 2],
+}
+
+/// One coordinate of four points.
+struct Axis {
+    plane: [u32; 4],
+    offset: [__m256d; 2],
+    weight: [__m256d; 2],
+}
+
+impl Lattice {
+    /// The tables, where the processor can do this.
+    pub(super) fn get() -> Option<&'static Self> {
+        LATTICE.as_deref()
+    }
+
+    /// What the corners around `p` add up to.
+    pub(super) fn sum(&self, p: DVec3) -> f64 {
+        // SAFETY: a `Lattice` exists only where there is AVX2.
+        unsafe { self.single(p.x, p.y, p.z) }
+    }
+
+    /// What the corners around `p` add up to once it is scaled by each of `scales`.
+    pub(super) fn sums(&self, p: DVec3, scales: &[f64], sums: &mut [f64]) {
+        // SAFETY: a `Lattice` exists only where there is AVX2.
+        unsafe { self.several(p.x, p.y, p.z, scales, sums) }
+    }
+
+    /// Vector noise at `p` scaled by each of `scales`.
+    pub(super) fn vectors(&self, p: DVec3, scales: &[f64], vectors: &mut [DVec3]) {
+        // SAFETY: a `Lattice` exists only where there is AVX2.
+        unsafe { self.all_vectors(p.x, p.y, p.z, scales, vectors) }
+    }
+
+    #[target_feature(enable = "avx2")]
+    fn new() -> Box<Self> {
+        let r = &*GRADIENT;
+        let half = _mm256_set1_pd(0.5);
+        let vector = |k: usize| _mm256_set_pd(0.0, r[k + 8], r[k + 4], r[k]);
+        Box::new(Self {
+            hash: **HASH,
+            low: std::array::from_fn(|k| (HASH[k] & 255) as u8),
+            slopes: std::array::from_fn(|k| _mm256_set_pd(r[k + 3], r[k + 2], r[k + 1], r[k] * 0.5)),
+            vectors: std::array::from_fn(vector),
+            halves: std::array::from_fn(|k| _mm256_mul_pd(vector(k), half)),
+        })
+    }
+
+    /// Four points at once as long as there are enough.
+    #[target_feature(enable = "avx2")]
+    fn several(&self, x: f64, y: f64, z: f64, scales: &[f64], sums: &mut [f64]) {
+        let p = lanes(x, y, z);
+        let [x, y, z] = [_mm256_set1_pd(x), _mm256_set1_pd(y), _mm256_set1_pd(z)];
+        let (fours, rest) = scales.as_chunks::<4>();
+        let (sums, last) = sums.split_at_mut(4 * fours.len());
+        for (&[a, b, c, d], sums) in fours.iter().zip(sums.as_chunks_mut::<4>().0) {
+            let scale = _mm256_set_pd(d, c, b, a);
+            let found = self.four(_mm256_mul_pd(x, scale), _mm256_mul_pd(y, scale), _mm256_mul_pd(z, scale));
+            *sums = each(found);
+        }
+        for (scale, sum) in rest.iter().zip(last) {
+            *sum = self.one(_mm256_mul_pd(p, _mm256_set1_pd(*scale)));
+        }
+    }
+
+    /// The gradients of a cell's corners, bit 0 of the index the side in x, bit 1 in y, bit 2 in z.
+    #[inline(always)]
+    fn corners(&self, [x, y, z]: [u32; 3]) -> [usize; 8] {
+        let columns = self.columns(x, y);
+        let mut corners = [0; 8];
+        for side in 0..8 {
+            corners[side] = self.gradient(columns[side & 3], z + (side >> 2) as u32);
+        }
+        corners
+    }
+
+    /// What the numbers of the planes in x and y hash to.
+    #[inline(always)]
+    fn columns(&self, x: u32, y: u32) -> [u32; 4] {
+        let hash = |index: u32| u32::from(self.hash[index as usize & (HASH_SIZE - 1)]);
+        let (low, high) = (hash(x), hash(x + 1));
+        [hash(low ^ y), hash(high ^ y), hash(low ^ (y + 1)), hash(high ^ (y + 1))]
+    }
+
+    #[inline(always)]
+    fn gradient(&self, column: u32, z: u32) -> usize {
+        usize::from(self.low[(column ^ z) as usize & (HASH_SIZE - 1)])
+    }
+
+    #[target_feature(enable = "avx2")]
+    fn single(&self, x: f64, y: f64, z: f64) -> f64 {
+        self.one(lanes(x, y, z))
+    }
+
+    /// One point: lanes are corners.
+    #[target_feature(enable = "avx2")]
+    fn one(&self, p: __m256d) -> f64 {
+        let Place { cell, offset, weight } = Place::of(p);
+        let m = self.corners(cell);
+        let (dx, dy) = (along_x(offset), along_y(offset));
+        let influence = _mm256_mul_pd(along_x(weight), along_y(weight));
+        let mut sum = 0.0;
+        for k in 0..2 {
+            let [a, b, c, d] = [m[4 * k], m[4 * k + 1], m[4 * k + 2], m[4 * k + 3]];
+            let [half, x, y, z] =
+                transposed([self.slopes[a], self.slopes[b], self.slopes[c], self.slopes[d]]);
+            let slope = _mm256_add_pd(half, _mm256_mul_pd(x, dx));
+            let slope = _mm256_add_pd(slope, _mm256_mul_pd(y, dy));
+            let slope = _mm256_add_pd(slope, _mm256_mul_pd(z, every::<2>(offset[k])));
+            let weight = _mm256_mul_pd(influence, every::<2>(weight[k]));
+            for term in each(_mm256_mul_pd(weight, slope)) {
+                sum += term;
+            }
+        }
+        sum
+    }
+
+    /// Four points, one in each lane.
+    #[target_feature(enable = "avx2")]
+    fn four(&self, x: __m256d, y: __m256d, z: __m256d) -> __m256d {
+        let [x, y, z] = [Axis::of(x), Axis::of(y), Axis::of(z)];
+        let columns = [
+            self.columns(x.plane[0], y.plane[0]),
+            self.columns(x.plane[1], y.plane[1]),
+            self.columns(x.plane[2], y.plane[2]),
+            self.columns(x.plane[3], y.plane[3]),
+        ];
+        let mut sum = _mm256_setzero_pd();
+        macro_rules! add_corner {
+            ($side:literal) => {
+                let (i, j, k) = ($side & 1, $side >> 1 & 1, $side >> 2);
+                let [half, rx, ry, rz] = transposed([
+                    self.slopes[self.gradient(columns[0][$side & 3], z.plane[0] + k as u32)],
+                    self.slopes[self.gradient(columns[1][$side & 3], z.plane[1] + k as u32)],
+                    self.slopes[self.gradient(columns[2][$side & 3], z.plane[2] + k as u32)],
+                    self.slopes[self.gradient(columns[3][$side & 3], z.plane[3] + k as u32)],
+                ]);
+                let slope = _mm256_add_pd(half, _mm256_mul_pd(rx, x.offset[i]));
+                let slope = _mm256_add_pd(slope, _mm256_mul_pd(ry, y.offset[j]));
+                let slope = _mm256_add_pd(slope, _mm256_mul_pd(rz, z.offset[k]));
+                let weight = _mm256_mul_pd(_mm256_mul_pd(x.weight[i], y.weight[j]), z.weight[k]);
+                sum = _mm256_add_pd(sum, _mm256_mul_pd(weight, slope));
+            };
+        }
+        add_corner!(0);
+        add_corner!(1);
+        add_corner!(2);
+        add_corner!(3);
+        add_corner!(4);
+        add_corner!(5);
+        add_corner!(6);
+        add_corner!(7);
+        sum
+    }
+
+    #[target_feature(enable = "avx2")]
+    fn all_vectors(&self, x: f64, y: f64, z: f64, scales: &[f64], vectors: &mut [DVec3]) {
+        let p = lanes(x, y, z);
+        for (scale, vector) in scales.iter().zip(vectors) {
+            let [x, y, z, _] = each(self.vector(_mm256_mul_pd(p, _mm256_set1_pd(*scale))));
+            *vector = DVec3::new(x, y, z);
+        }
+    }
+
+    /// Vector noise: lanes are components.
+    #[target_feature(enable = "avx2")]
+    fn vector(&self, p: __m256d) -> __m256d {
+        let Place { cell, offset, weight } = Place::of(p);
+        let m = self.corners(cell);
+        let [low, high] = offset;
+        let dx = [every::<0>(low), every::<0>(high)];
+        let dy = [every::<1>(low), every::<1>(high)];
+        let dz = [every::<2>(low), every::<2>(high)];
+        let influence = _mm256_mul_pd(along_x(weight), along_y(weight));
+        let [low, high] = weight;
+        let influence =
+            [_mm256_mul_pd(influence, every::<2>(low)), _mm256_mul_pd(influence, every::<2>(high))];
+        let mut sum = _mm256_setzero_pd();
+        macro_rules! add_corner {
+            ($side:literal) => {
+                let (i, j, k) = ($side & 1, $side >> 1 & 1, $side >> 2);
+                let m = m[$side];
+                let slope = _mm256_add_pd(self.halves[m], _mm256_mul_pd(self.vectors[m + 1], dx[i]));
+                let slope = _mm256_add_pd(slope, _mm256_mul_pd(self.vectors[m + 2], dy[j]));
+                let slope = _mm256_add_pd(slope, _mm256_mul_pd(self.vectors[m + 3], dz[k]));
+                let weight = every::<{ $side & 3 }>(influence[k]);
+                sum = _mm256_add_pd(sum, _mm256_mul_pd(weight, slope));
+            };
+        }
+        add_corner!(0);
+        add_corner!(1);
+        add_corner!(3);
+        add_corner!(2);
+        add_corner!(6);
+        add_corner!(7);
+        add_corner!(5);
+        add_corner!(4);
+        sum
+    }
+}
+
+impl Place {
+    #[inline]
+    #[target_feature(enable = "avx2")]
+    fn of(p: __m256d) -> Self {
+        let (plane, offset, weight) = places(p);
+        let [x, y, z, _] = plane;
+        Self { cell: [x, y, z], offset, weight }
+    }
+}
+
+impl Axis {
+    #[inline]
+    #[target_feature(enable = "avx2")]
+    fn of(c: __m256d) -> Self {
+        let (plane, offset, weight) = places(c);
+        Self { plane, offset, weight }
+    }
+}
+
+/// For each lane the number of the lattice plane below, the distances from it and from the one above,
+/// and the influence of both.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn places(c: __m256d) -> ([u32; 4], [__m256d; 2], [__m256d; 2]) {
+    let one = _mm256_set1_pd(1.0);
+    let below_zero = _mm256_cmp_pd::<_CMP_NGE_UQ>(c, _mm256_setzero_pd());
+    let shifted = _mm256_sub_pd(c, _mm256_and_pd(below_zero, _mm256_set1_pd(1.0 - EPSILON)));
+    let t = _mm256_cvttpd_epi32(shifted);
+    let f = _mm256_sub_pd(c, _mm256_cvtepi32_pd(t));
+    let s = _mm256_sub_pd(_mm256_set1_pd(3.0), _mm256_mul_pd(_mm256_set1_pd(2.0), f));
+    let s = _mm256_mul_pd(_mm256_mul_pd(f, f), s);
+    let plane = _mm_and_si128(_mm_add_epi32(t, _mm_set1_epi32(SHIFT)), _mm_set1_epi32(4095));
+    let plane = [
+        _mm_extract_epi32::<0>(plane) as u32,
+        _mm_extract_epi32::<1>(plane) as u32,
+        _mm_extract_epi32::<2>(plane) as u32,
+        _mm_extract_epi32::<3>(plane) as u32,
+    ];
+    (plane, [f, _mm256_sub_pd(f, one)], [_mm256_sub_pd(one, s), s])
+}
+
+/// Lane 0 of the lower and of the upper value in turn: what differs along x.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn along_x([low, high]: [__m256d; 2]) -> __m256d {
+    _mm256_blend_pd::<0b1010>(every::<0>(low), every::<0>(high))
+}
+
+/// Lane 1 of the lower value twice, then of the upper one: what differs along y.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn along_y([low, high]: [__m256d; 2]) -> __m256d {
+    _mm256_blend_pd::<0b1100>(every::<1>(low), every::<1>(high))
+}
+
+/// One lane in all lanes.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn every<const LANE: i32>(v: __m256d) -> __m256d {
+    match LANE {
+        0 => _mm256_permute4x64_pd::<0x00>(v),
+        1 => _mm256_permute4x64_pd::<0x55>(v),
+        2 => _mm256_permute4x64_pd::<0xaa>(v),
+        _ => _mm256_permute4x64_pd::<0xff>(v),
+    }
+}
+
+/// Rows become columns.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn transposed([a, b, c, d]: [__m256d; 4]) -> [__m256d; 4] {
+    let (ab, cd) = (_mm256_unpacklo_pd(a, b), _mm256_unpacklo_pd(c, d));
+    let (ab_odd, cd_odd) = (_mm256_unpackhi_pd(a, b), _mm256_unpackhi_pd(c, d));
+    [
+        _mm256_permute2f128_pd::<0x20>(ab, cd),
+        _mm256_permute2f128_pd::<0x20>(ab_odd, cd_odd),
+        _mm256_permute2f128_pd::<0x31>(ab, cd),
+        _mm256_permute2f128_pd::<0x31>(ab_odd, cd_odd),
+    ]
+}
+
+#[inline]
+#[target_feature(enable = "avx2")]
+fn lanes(x: f64, y: f64, z: f64) -> __m256d {
+    _mm256_set_pd(0.0, z, y, x)
+}
+
+#[inline]
+#[target_feature(enable = "avx2")]
+fn each(v: __m256d) -> [f64; 4] {
+    let (low, high) = (_mm256_castpd256_pd128(v), _mm256_extractf128_pd::<1>(v));
+    let (low_odd, high_odd) = (_mm_unpackhi_pd(low, low), _mm_unpackhi_pd(high, high));
+    [_mm_cvtsd_f64(low), _mm_cvtsd_f64(low_odd), _mm_cvtsd_f64(high), _mm_cvtsd_f64(high_odd)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::lattice;
+    use super::*;
+
+    /// Points near and far, on planes of the lattice and beside them, and no points at all.
+    fn points() -> impl Iterator<Item = DVec3> {
+        let mut state = 1_u64;
+        let mut number = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 * 2.0 - 1.0
+        };
+        let edges = [0.0, -0.0, 1.0, -1.0, -1.0 + 5e-11, -3.0 - 5e-11, 4095.5, 2_147_483_647.5];
+        let far = [-2_147_483_649.5, 3e9, -1e17, 1e300, f64::INFINITY, f64::NAN];
+        let odd: Vec<f64> = edges.into_iter().chain(far).collect();
+        let odd_points = (0..odd.len().pow(3)).map(move |n| {
+            let count = odd.len();
+            DVec3::new(odd[n % count], odd[n / count % count], odd[n / count / count])
+        });
+        let scattered = (0..100_000).map(move |n| {
+            let size = 10_f64.powi(n % 7 - 1);
+            DVec3::new(number(), number(), number()) * size
+        });
+        odd_points.chain(scattered)
+    }
+
+    fn bits(values: &[f64]) -> Vec<u64> {
+        // Which of the many values that are no number comes out is nobody's business.
+        values.iter().map(|v| if v.is_nan() { u64::MAX } else { v.to_bits() }).collect()
+    }
+
+    #[test]
+    fn lanes_give_the_same_bits_as_one_point_at_a_time() {
+        let Some(lanes) = Lattice::get() else { return };
+        let scales = [1.0, 2.0, 4.0, 8.0, 0.3, -1.7];
+        for p in points() {
+            assert_eq!(bits(&[lanes.sum(p)]), bits(&[lattice::sum(p)]), "at {p}");
+            let mut found = [0.0; 6];
+            lanes.sums(p, &scales, &mut found);
+            assert_eq!(bits(&found), bits(&scales.map(|scale| lattice::sum(scale * p))), "around {p}");
+            let mut found = [DVec3::ZERO; 2];
+            lanes.vectors(p, &scales[3..5], &mut found);
+            let expected = [8.0, 0.3].map(|scale| lattice::vector(scale * p));
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert_eq!(bits(&found.to_array()), bits(&expected.to_array()), "vectors at {p}");
+            }
+        }
+    }
+}
