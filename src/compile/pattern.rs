@@ -48,7 +48,9 @@ impl TextureCompiler<'_> {
     fn formula(&mut self, field: &from::Field) -> Result<Formula, Unsupported> {
         use from::Pattern as From;
         let generator = field.noise_generator.filter(|g| *g != 0).unwrap_or(self.settings.noise_generator);
-        let own = field.turbulence.as_ref().map(|turbulence| OwnTurbulence {
+        // No amount leaves a formula as it is without any turbulence.
+        let own = field.turbulence.as_ref().filter(|turbulence| turbulence.amount != DVec3::ZERO);
+        let own = own.map(|turbulence| OwnTurbulence {
             amount: turbulence.amount,
             octaves: octaves(turbulence),
             generator,
@@ -56,11 +58,8 @@ impl TextureCompiler<'_> {
         Ok(match &field.pattern {
             From::Agate { turbulence } => Formula::Agate(to::agate::Agate {
                 strength: f64::from(*turbulence),
-                turbulence: own.unwrap_or(OwnTurbulence {
-                    amount: DVec3::ZERO,
-                    octaves: octaves(&from::Turbulence::default()),
-                    generator,
-                }),
+                octaves: octaves(&field.turbulence.unwrap_or_default()),
+                generator,
             }),
             From::Aoi => Formula::Aoi,
             From::Average => Formula::Average,
@@ -202,9 +201,8 @@ fn warp(warp: &from::Warp) -> Option<warp::Warp> {
         from::Warp::Transform(transform) => {
             (!transform.is_identity()).then(|| warp::Warp::Transform(Box::new(**transform)))
         }
-        from::Warp::Turbulence(turbulence) => {
-            Some(warp::Warp::Turbulence(turbulence.amount, octaves(turbulence)))
-        }
+        from::Warp::Turbulence(turbulence) => (turbulence.amount != DVec3::ZERO)
+            .then(|| warp::Warp::Turbulence(turbulence.amount, octaves(turbulence))),
         from::Warp::Repeat { width, offset, flip } => {
             Some(warp::Warp::Repeat(Box::new(warp::Repeat::new(*width, *offset, *flip))))
         }

@@ -1,4 +1,4 @@
-//! Numbers, vectors and colours: what every other layer is built on. No I/O, no state.
+//! Numbers, vectors and colours: what every other layer is built on. No I/O, no state but counts.
 
 pub mod bounds;
 pub mod color;
@@ -7,6 +7,7 @@ pub mod gamma;
 pub mod noise;
 pub mod roots;
 pub mod spline;
+pub mod tally;
 pub mod transform;
 pub mod wide;
 

@@ -10,6 +10,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
+use super::tally;
 use tables::{HASH, HASH_SIZE, PERLIN, PERLIN_SIZE, Stream, UNIFORM, UNIFORM_SIZE};
 
 /// What POV-Ray adds where a coordinate on a boundary must fall on one side.
@@ -17,6 +18,11 @@ pub const EPSILON: f64 = 1e-10;
 
 /// Noise at a point, 0 … 1. Generators are 1, 2 and 3; 0 acts as 1.
 pub fn noise(generator: u8, p: DVec3) -> f64 {
+    tally::noise(1);
+    uncounted(generator, p)
+}
+
+fn uncounted(generator: u8, p: DVec3) -> f64 {
     match generator {
         3 => perlin(p),
         _ => leveled(generator, lattice_sum(p)),
@@ -49,6 +55,7 @@ pub fn noise_scaled<const N: usize>(generator: u8, p: DVec3, scales: &[f64; N]) 
 
 /// Noise at `p` scaled by each of `scales`, into as many `values`.
 fn noise_octaves(generator: u8, p: DVec3, scales: &[f64], values: &mut [f64]) {
+    tally::noise(scales.len());
     #[cfg(target_arch = "x86_64")]
     if let (Some(lattice), 0..=2) = (avx2::Lattice::get(), generator) {
         lattice.sums(p, scales, values);
@@ -56,7 +63,7 @@ fn noise_octaves(generator: u8, p: DVec3, scales: &[f64], values: &mut [f64]) {
         return;
     }
     for (scale, value) in scales.iter().zip(values) {
-        *value = noise(generator, *scale * p);
+        *value = uncounted(generator, *scale * p);
     }
 }
 
@@ -75,6 +82,7 @@ pub fn vector_noise_scaled<const N: usize>(p: DVec3, scales: &[f64; N]) -> [DVec
 
 /// Vector noise at `p` scaled by each of `scales`, into as many `vectors`.
 fn vector_octaves(p: DVec3, scales: &[f64], vectors: &mut [DVec3]) {
+    tally::vector_noise(scales.len());
     #[cfg(target_arch = "x86_64")]
     if let Some(lattice) = avx2::Lattice::get() {
         return lattice.vectors(p, scales, vectors);

@@ -24,6 +24,7 @@ pub use film::Image;
 pub use sampling::Sample;
 pub use stats::Statistics;
 
+use crate::math::tally::Tally;
 use crate::options::{Region, RenderOptions};
 use crate::world::atmosphere::Alpha;
 use crate::world::camera::film;
@@ -65,7 +66,9 @@ pub struct Rendered {
 /// Renders a world. The picture doesn't depend on the number of threads.
 pub fn render(world: &World, options: &RenderOptions, progress: &dyn Progress) -> Rendered {
     let eye = Eye::new(world, options);
-    tiles::render(options, progress, |block| eye.block(block))
+    let mut rendered = tiles::render(options, progress, |block| eye.block(block));
+    rendered.statistics.images = world.needs.images;
+    rendered
 }
 
 /// The camera with what all its rays share.
@@ -86,10 +89,13 @@ impl<'w> Eye<'w> {
         let quality = Quality::new(self.options.quality);
         let alpha = if self.options.output_alpha { Alpha::Stored } else { Alpha::None };
         let mut tracer = Tracer::new(self.world, quality, alpha);
+        // What the thread counted before belongs to other work.
+        Tally::take();
         let mut sample = |x: f64, y: f64| self.sample(&mut tracer, x, y);
         let working = self.world.settings.working_gamma;
         let pixels = sampling::block(block, self.options.antialias.as_ref(), working, &mut sample);
         tracer.statistics.pixels += pixels.len() as u64;
+        tracer.statistics.add(Tally::take());
         (pixels, tracer.statistics)
     }
 

@@ -2,6 +2,8 @@
 
 use std::ops::AddAssign;
 
+use crate::math::tally::Tally;
+
 macro_rules! counters {
     ($($(#[$doc:meta])* $name:ident: $label:literal,)*) => {
         /// Counts of a render.
@@ -60,6 +62,37 @@ counters! {
     media_samples: "samples of media",
     /// Sky lookups.
     sky_evaluations: "sky evaluations",
+    /// Texture coordinates worked out.
+    texture_coordinates: "texture coordinates",
+    /// Values of patterns.
+    patterns: "patterns evaluated",
+    /// Normals bent by bumps.
+    bumps: "normals bent",
+    /// Values of noise.
+    noise: "values of noise",
+    /// Values of vector noise.
+    vector_noise: "values of vector noise",
+    /// Calls of user functions.
+    functions: "function calls",
+    /// Colours looked up in images.
+    image_lookups: "colours from images",
+    /// Images that some texture in the world refers to; no others are decoded.
+    images: "images decoded",
+}
+
+impl Statistics {
+    /// Adds what the thread counted.
+    pub(super) fn add(&mut self, tally: Tally) {
+        let Tally { noise, vector_noise, patterns, bumps, texture_coordinates, functions, image_lookups } =
+            tally;
+        self.noise += noise;
+        self.vector_noise += vector_noise;
+        self.patterns += patterns;
+        self.bumps += bumps;
+        self.texture_coordinates += texture_coordinates;
+        self.functions += functions;
+        self.image_lookups += image_lookups;
+    }
 }
 
 #[cfg(test)]

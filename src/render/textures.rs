@@ -39,6 +39,10 @@ fn shares(world: &World, leaf: &Leaf, hit: &Hit, surface: &Intersection) -> Shar
     let mut shares = Shares::new();
     let inner = leaf.interior_texture.filter(|_| surface.inside);
     let whole = inner.or(leaf.texture);
+    if let (Some(number), true) = (whole, leaf.own_textures.is_empty()) {
+        shares.push((number, 1.0));
+        return shares;
+    }
     leaf.primitive.textures(leaf.inner_point(surface.textured), &hit.crossing, &mut |number, share| {
         let own = || leaf.own_textures.clone().nth(number as usize);
         let texture = if number == OWN_TEXTURE { whole } else { own() };

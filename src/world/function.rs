@@ -6,7 +6,7 @@ pub mod tape;
 use std::sync::Arc;
 
 use super::sample::{Colors, Field, Sample};
-use crate::math::{DVec3, Spline, Transform};
+use crate::math::{DVec3, Spline, Transform, tally};
 pub use internal::Internal;
 pub use tape::Tape;
 
@@ -42,8 +42,14 @@ impl Function {
     /// The value: of functions with several components, the first. Missing arguments count as 0.
     pub fn call(&self, arguments: &[f64]) -> f64 {
         match &self.body {
-            Body::Tape(tape) => tape.run(arguments),
-            Body::Internal(internal) => internal.call(arguments),
+            Body::Tape(tape) => {
+                tally::functions(1);
+                tape.run(arguments)
+            }
+            Body::Internal(internal) => {
+                tally::functions(1);
+                internal.call(arguments)
+            }
             Body::Pattern(pattern) => pattern.value(&Sample::at(point(arguments))),
             Body::Pigment(_) | Body::Transform(_) | Body::Spline(_) => {
                 let mut components = [0.0; 5];

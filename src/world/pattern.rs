@@ -28,8 +28,8 @@ use std::sync::Arc;
 use super::image::ImageMap;
 use super::sample::{Field, Inside, Sample};
 use super::warp::Warps;
-use crate::math::DVec3;
 use crate::math::noise::{EPSILON, cycle, triangle};
+use crate::math::{DVec3, tally};
 use crate::world::warp::mapping::cube_face;
 
 /// A pattern with its way in and its finishing step.
@@ -124,6 +124,7 @@ impl Pattern {
 
     /// The finished value at the point the pattern sees, which has gone through `warps` already.
     pub fn value_at(&self, p: DVec3, sample: &Sample) -> f64 {
+        tally::patterns(1);
         self.finish(self.formula.raw(p, sample))
     }
 

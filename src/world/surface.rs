@@ -3,7 +3,7 @@
 use super::hit::{Geometry, Hit};
 use super::ray::Ray;
 use super::shape::Shape;
-use crate::math::{Bounds, DVec2, DVec3};
+use crate::math::{Bounds, DVec2, DVec3, tally};
 
 /// A point of a surface, as shading sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,6 +71,7 @@ impl Geometry {
 
     /// Texture coordinates of a hit at `point`; x and y of the point where the shape has none.
     pub fn uv(&self, hit: &Hit, point: DVec3) -> DVec2 {
+        tally::texture_coordinates(1);
         let leaf = self.parts().leaf(hit.leaf);
         leaf.primitive.uv(leaf.inner_point(point), &hit.crossing).unwrap_or(point.truncate())
     }

@@ -167,7 +167,7 @@ impl TextureBody {
                 let mut inner = Sample { point, enclosing: Some(&enclosing), ..*sample };
                 if matches!(pattern.formula, Formula::Average) {
                     let total: f32 = map.entries().iter().map(|(share, _)| share).sum();
-                    for (share, texture) in map.entries() {
+                    for (share, texture) in map.entries().iter().filter(|(share, _)| *share != 0.0) {
                         texture.walk(weight * (share / total), &mut inner, shade);
                     }
                 } else {

@@ -13,6 +13,7 @@ mod place;
 mod png;
 mod ppm;
 mod samples;
+mod steps;
 mod targa;
 
 pub use dither::Dither;

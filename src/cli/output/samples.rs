@@ -1,6 +1,7 @@
 //! Colors as the whole numbers a file holds (docs/spec/camera-image.md 11, 12 and 14).
 
 use super::dither::Ditherer;
+use super::steps::Steps;
 use super::{Encoding, Format};
 use crate::math::Gamma;
 use crate::render::film::Image;
@@ -38,6 +39,9 @@ impl Samples {
         let straight = grey && encoding.format == Format::Ppm;
         let curve = Curve { working: working.filter(|_| !straight), file: encoding.file_gamma };
         let mut ditherer = encoding.dither.map(|method| Ditherer::new(method, image.width, channels));
+        // The table pays from some thousand pixels on, and only while it is small.
+        let many = bits <= 8 && image.pixels.len() > 4096;
+        let steps = (many && ditherer.is_none()).then(|| Steps::new(curve, bits));
         let mut values = Vec::with_capacity(image.pixels.len() * channels);
         for pixel in &image.pixels {
             let (color, opacity) = stored(*pixel, grey, alpha);
@@ -45,10 +49,12 @@ impl Samples {
                 ditherer.advance();
             }
             for (channel, value) in color[..colors].iter().chain(alpha.then_some(&opacity)).enumerate() {
-                let curve = if channel < colors { curve } else { Curve::NONE };
-                values.push(match &mut ditherer {
-                    None => round(curve.encode(*value), bits),
-                    Some(ditherer) => ditherer.round(*value, channel, bits, curve),
+                let colored = channel < colors;
+                let curve = if colored { curve } else { Curve::NONE };
+                values.push(match (&mut ditherer, &steps) {
+                    (None, Some(steps)) if colored => steps.round(*value),
+                    (None, _) => round(curve.encode(*value), bits),
+                    (Some(ditherer), _) => ditherer.round(*value, channel, bits, curve),
                 });
             }
         }
@@ -64,8 +70,8 @@ impl Samples {
 /// What a curve does to the numbers of one channel.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Curve {
-    working: Option<Gamma>,
-    file: Gamma,
+    pub(super) working: Option<Gamma>,
+    pub(super) file: Gamma,
 }
 
 impl Curve {

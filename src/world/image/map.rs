@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::{Image, Pixels};
 use crate::math::color::grey;
 use crate::math::noise::EPSILON;
-use crate::math::{DVec2, DVec3, Rgbft};
+use crate::math::{DVec2, DVec3, Rgbft, tally};
 use crate::world::warp::mapping::{around_tube, longitude};
 
 /// An image laid over space.
@@ -133,6 +133,7 @@ impl ImageMap {
 
     /// Where in the image `p` is: pixels from the left and from the top, inside the image.
     fn position(&self, p: DVec3) -> Option<DVec2> {
+        tally::image_lookups(1);
         let outside = |c: f64| self.once && !(0.0..=1.0).contains(&c);
         let size = self.scale;
         let at = match self.projection {

@@ -26,13 +26,18 @@ impl OwnTurbulence {
 pub struct Agate {
     /// `agate_turb`.
     pub strength: f64,
-    /// The noise in the bands; its amount has no part in the formula.
-    pub turbulence: OwnTurbulence,
+    /// The noise in the bands.
+    pub octaves: Octaves,
+    /// Its generator.
+    pub generator: u8,
 }
 
 impl Agate {
     pub(super) fn value(&self, p: DVec3) -> f64 {
-        let t = self.strength * self.turbulence.scalar(p);
+        let t = match self.strength {
+            0.0 => 0.0,
+            strength => strength * self.octaves.scalar(self.generator, p),
+        };
         let n = 0.5 * (cycle(1.3 * t + 1.1 * p.z) + 1.0);
         if n < 0.0 { 0.0 } else { n.min(1.0).powf(0.77) }
     }

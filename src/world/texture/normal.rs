@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::blend_map::{BlendMap, Pick};
 use crate::math::noise::{vector_noise, vector_noise_scaled};
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, tally};
 use crate::world::image::ImageMap;
 use crate::world::pattern::noise::{WRINKLES, dents};
 use crate::world::pattern::{Formula, Pattern};
@@ -53,6 +53,7 @@ impl Normal {
     /// The normal `n` of the sample's space, bent: the whole block, into the pattern's space and back.
     /// Unit unless `no_bump_scale` of this block or, as `raw`, of one around it.
     pub fn bend(&self, sample: &Sample, n: DVec3, raw: bool) -> DVec3 {
+        tally::bumps(1);
         let raw = raw || self.no_bump_scale;
         let through = |warps: &Warps, bend: &dyn Fn(&Sample, DVec3) -> DVec3| {
             let inner = sample.moved(warps.point(sample.point));
@@ -79,8 +80,10 @@ impl Normal {
             NormalKind::Average(warps, map) => through(warps, &|sample, n| {
                 let total: f32 = map.entries().iter().map(|(weight, _)| weight).sum();
                 let normals = map.entries().iter();
-                let sum: DVec3 =
-                    normals.map(|(weight, normal)| f64::from(*weight) * normal.bend(sample, n, raw)).sum();
+                let sum: DVec3 = normals
+                    .filter(|(weight, _)| *weight != 0.0)
+                    .map(|(weight, normal)| f64::from(*weight) * normal.bend(sample, n, raw))
+                    .sum();
                 sum / f64::from(total)
             }),
             NormalKind::Bumps(warps, map) => {

@@ -52,11 +52,14 @@ impl Pigment {
                 let mut sum = [0_f32; 5];
                 let mut total = 0_f32;
                 for (weight, pigment) in map.entries() {
+                    total += weight;
+                    if *weight == 0.0 {
+                        continue;
+                    }
                     let color = or_clear(pigment.color(&inner)).to_array();
                     for (sum, component) in sum.iter_mut().zip(color) {
                         *sum += component * weight;
                     }
-                    total += weight;
                 }
                 Some(Rgbft::new(sum.map(|component| component / total)))
             }
