@@ -37,7 +37,8 @@ impl Steps {
 
     /// The whole number that stands for `number`; 0 for what is none.
     pub(super) fn round(&self, number: f32) -> u16 {
-        let mut value = self.first[(number.clamp(0.0, 1.0) * PARTS as f32) as usize];
+        let number = number.clamp(0.0, 1.0);
+        let mut value = self.first[(number * PARTS as f32) as usize];
         while number >= self.least[usize::from(value)] {
             value += 1;
         }
