@@ -68,6 +68,7 @@ pub use value::Value;
 pub use word::Word;
 
 use crate::diag::{Diagnostic, Severity, Sink};
+use crate::math::gamma::Gamma;
 use crate::options::{Declared, LanguageOptions};
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
@@ -99,8 +100,8 @@ pub struct Vm<'a> {
     pub version: i32,
     /// The encoding of string literals.
     pub charset: Charset,
-    /// The exponent of the space colors are calculated in, once `assumed_gamma` is known.
-    pub gamma: Option<f64>,
+    /// The curve of the space colors are calculated in, once `assumed_gamma` is known.
+    pub gamma: Option<Gamma>,
     /// What readers of statements keep.
     pub state: statement::State,
     /// Where the last token that was taken stands.

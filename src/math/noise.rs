@@ -213,9 +213,13 @@ pub struct WaveSource {
 pub fn wave_sources(count: u32) -> Box<[WaveSource]> {
     let mut stream = Stream(-560_851_967_i32 as u32);
     (0..count.max(1))
-        .map(|i| WaveSource {
-            center: vector_noise(DVec3::new(f64::from(i), 0.0, 0.0)).normalize(),
-            frequency: stream.next() as f64 * 0.000_030_518_509_476 + 0.01,
+        .map(|i| {
+            let center = vector_noise(DVec3::new(f64::from(i), 0.0, 0.0));
+            // Divided, not multiplied by the reciprocal: it makes a difference in the last digit.
+            WaveSource {
+                center: center / center.length(),
+                frequency: stream.next() as f64 * 0.000_030_518_509_476 + 0.01,
+            }
         })
         .collect()
 }

@@ -4,6 +4,7 @@ use crate::interp::stream::{Token, TokenKind};
 use crate::interp::tuple::Tuple;
 use crate::interp::value::Value;
 use crate::interp::{Result, Vm, Word};
+use crate::math::gamma::Gamma;
 use crate::source::Span;
 
 /// Whether a word starts a color.
@@ -124,23 +125,18 @@ impl Vm<'_> {
         if encoded {
             let gamma = self.working_gamma(keyword.span)?;
             for c in &mut c[..3] {
-                *c = decode_srgb(*c, gamma);
+                // In single precision, as POV-Ray's colours are.
+                *c = f64::from(Gamma::Srgb.convert(*c as f32, gamma));
             }
         }
         Ok(c)
     }
 
     /// The gamma colors are calculated in, for `srgb`.
-    fn working_gamma(&mut self, span: Span) -> Result<f64> {
+    fn working_gamma(&mut self, span: Span) -> Result<Gamma> {
         self.gamma.ok_or_else(|| {
             let fault = self.error(span, "`srgb` colors need to know `assumed_gamma`");
             fault.help("write `global_settings { assumed_gamma 1 }` before the first of them")
         })
     }
-}
-
-/// From sRGB encoding to the working space.
-fn decode_srgb(s: f64, gamma: f64) -> f64 {
-    let linear = if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) };
-    if gamma == 1.0 { linear } else { linear.powf(1.0 / gamma) }
 }

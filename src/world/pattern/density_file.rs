@@ -74,7 +74,9 @@ impl DensityFile {
 fn spline([a, b, c, d]: [f32; 4], t: f32) -> f32 {
     let m = 0.5 * (c - a);
     let n = 0.5 * (d - b);
-    let cubic = 2.0 * (b - c) + m + n;
-    let square = -3.0 * (b - c) - 2.0 * m - n;
+    // The two coefficients are summed in double precision.
+    let [fall, start, end] = [b - c, m, n].map(f64::from);
+    let cubic = (2.0 * fall + start + end) as f32;
+    let square = (-3.0 * fall - 2.0 * start - end) as f32;
     ((cubic * t + square) * t + m) * t + b
 }

@@ -72,10 +72,12 @@ impl Iteration {
             }
             Self::Magnet2 => {
                 let (c1, c2) = (c - DVec2::X, c - 2.0 * DVec2::X);
-                let last = multiply(c1, c2);
-                let z2 = multiply(z, z);
-                let top = multiply(z2, z) + 3.0 * multiply(c1, z) + last;
-                let bottom = 3.0 * z2 + 3.0 * multiply(c2, z) + last + DVec2::X;
+                // The product of c1 and c2, in POV-Ray's order of rounding as are the cube and the square.
+                let last = DVec2::new(c1.x * c2.x - c.y * c.y, c.y * (c1.x + c2.x));
+                let cube = DVec2::new(a2 * a - 3.0 * a * b2, 3.0 * a2 * b - b2 * b);
+                let triple_square = DVec2::new(3.0 * (a2 - b2), 6.0 * a * b);
+                let top = cube + 3.0 * multiply(c1, z) + last;
+                let bottom = triple_square + 3.0 * multiply(c2, z) + last + DVec2::X;
                 square(divide(top, bottom))
             }
         }

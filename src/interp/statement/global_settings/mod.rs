@@ -5,6 +5,7 @@ mod radiosity;
 
 use super::color;
 use crate::interp::{Charset, Result, Vm, Word};
+use crate::math::gamma::Gamma;
 use crate::scene::settings::{AssumedGamma, SubsurfaceSettings};
 
 /// Reads the block; its keyword comes next. It may be repeated.
@@ -104,8 +105,8 @@ fn assumed_gamma(vm: &mut Vm<'_>) -> Result<()> {
     }
     vm.state.settings.assumed_gamma = Some(gamma);
     vm.gamma = Some(match gamma {
-        AssumedGamma::Srgb => 2.2,
-        AssumedGamma::Power(power) => f64::from(power),
+        AssumedGamma::Srgb => Gamma::Srgb,
+        AssumedGamma::Power(power) => Gamma::Power(power),
     });
     Ok(())
 }
