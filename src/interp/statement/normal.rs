@@ -103,9 +103,9 @@ fn read(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>, bumps: &mut Bumps) -> Resul
         // After the name of a normal a number is its amount too.
         None => {
             if let Some(normal) = normal.as_mut()
-                && vm.at_number()?
+                && let Some(amount) = amount(vm)?
             {
-                Arc::make_mut(normal).amount = vm.read_float()? as f32;
+                Arc::make_mut(normal).amount = amount;
             }
         }
     }
@@ -133,8 +133,10 @@ fn with_pattern(vm: &mut Vm<'_>, base: Option<&Normal>, field: Field) -> Result<
             pattern::list(vm, &field.pattern, count, Word::Normal, |vm| block(vm, default.as_ref()))?;
         entries.resize_with(count, || default.clone().unwrap_or_else(flat));
         let kind = NormalKind::Normals { field: Arc::new(field), map: Arc::new(BlendMap::list(entries)) };
-        return Ok(changed(vm, base, kind, None));
+        let amount = amount(vm)?;
+        return Ok(changed(vm, base, kind, amount));
     }
+    pattern::end_list(vm, &field.pattern)?;
     let kind = match base.map(|base| &base.kind) {
         Some(NormalKind::Pattern { slopes, .. }) => {
             NormalKind::Pattern { field: Arc::new(field), slopes: slopes.clone() }
@@ -144,9 +146,14 @@ fn with_pattern(vm: &mut Vm<'_>, base: Option<&Normal>, field: Field) -> Result<
         }
         _ => NormalKind::Pattern { field: Arc::new(field), slopes: None },
     };
-    vm.comma()?;
-    let amount = if vm.at_number()? { Some(vm.read_float()? as f32) } else { None };
+    let amount = amount(vm)?;
     Ok(changed(vm, base, kind, amount))
+}
+
+/// Reads the amount that may follow a pattern and its list.
+fn amount(vm: &mut Vm<'_>) -> Result<Option<f32>> {
+    vm.comma()?;
+    Ok(if vm.at_number()? { Some(vm.read_float()? as f32) } else { None })
 }
 
 /// A copy with another pattern.
@@ -219,7 +226,7 @@ fn set_kind(normal: &mut Option<Arc<Normal>>, kind: NormalKind) {
 fn mapped(vm: &Vm<'_>, normal: Option<&Normal>, word: Word, place: Span) -> Result<Arc<Field>> {
     match normal.map(|normal| &normal.kind) {
         Some(NormalKind::Pattern { field, .. } | NormalKind::Normals { field, .. }) => {
-            if field.pattern.list_length().is_some() && word == Word::NormalMap {
+            if field.pattern.list_length().is_some() {
                 return Err(map::for_list(vm, word, place));
             }
             Ok(Arc::clone(field))

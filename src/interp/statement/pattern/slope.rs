@@ -20,6 +20,10 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
         slope.point_at = vm.accept(Word::PointAt)?;
         (slope.direction, slope.range) = directed(vm)?;
         if vm.accept(Word::Altitude)? {
+            if slope.point_at {
+                let fault = vm.error(vm.last, "`altitude` cannot be used with `point_at`");
+                return Err(fault.help("with `point_at` only the direction of the surface counts"));
+            }
             slope.altitude = Some(directed(vm)?);
         }
         vm.close(block)?;
@@ -44,6 +48,9 @@ fn directed(vm: &mut Vm<'_>) -> Result<(DVec3, [f64; 2])> {
             break;
         }
         *end = vm.read_float()?;
+    }
+    if range[0] == range[1] && range[0] != 0.0 {
+        vm.warn(vm.last, "this range is empty", "it is not used; give a low and a high end");
     }
     Ok((direction, range))
 }
