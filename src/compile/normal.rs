@@ -29,10 +29,12 @@ impl TextureCompiler<'_> {
 
     fn normal_kind(&mut self, kind: &Kind) -> Result<NormalKind, Unsupported> {
         Ok(match kind {
-            Kind::Pattern { field, slopes: None } => NormalKind::Pattern(self.pattern(field)?),
-            Kind::Pattern { field, slopes: Some(map) } => {
-                NormalKind::Slopes(self.pattern(field)?, self.map(field, map, |_, slope| Ok(*slope))?)
-            }
+            Kind::Pattern { field, slopes } => match slopes {
+                Some(map) if !field.pattern.bends_itself() => {
+                    NormalKind::Slopes(self.pattern(field)?, self.map(field, map, |_, slope| Ok(*slope))?)
+                }
+                _ => NormalKind::Pattern(self.pattern(field)?),
+            },
             Kind::Normals { field, map } => {
                 let map =
                     self.map(field, map, |this, normal| this.nested(field.span, |this| this.normal(normal)))?;

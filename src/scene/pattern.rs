@@ -307,6 +307,13 @@ impl Pattern {
         }
     }
 
+    /// Whether normals have a formula for this pattern, which knows neither waves nor slope maps
+    /// (docs/spec/patterns-textures.md 4.2).
+    pub fn bends_itself(&self) -> bool {
+        use Pattern::{Bumps, Dents, Facets, Quilted, Ripples, Waves, Wrinkles};
+        matches!(self, Bumps | Dents | Facets { .. } | Quilted { .. } | Ripples | Waves | Wrinkles)
+    }
+
     /// The frequency a pattern has where none is written (docs/spec/patterns-textures.md 2.1).
     pub fn default_frequency(&self) -> f32 {
         let keeps_raw_value =

@@ -1,5 +1,6 @@
 //! Textures from the text of a scene to the numbers they give.
 
+mod hostile;
 mod images;
 mod tables;
 

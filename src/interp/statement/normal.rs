@@ -245,5 +245,5 @@ fn check(vm: &Vm<'_>, normal: &Normal) -> Result<()> {
             .error(field.span, "`average` needs a map")
             .help("add `normal_map { [1 …] [1 …] }` with what is to be mixed"));
     }
-    Ok(())
+    normal.field().map_or(Ok(()), |field| pattern::check(vm, field))
 }

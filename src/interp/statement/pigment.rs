@@ -220,5 +220,5 @@ fn check(vm: &Vm<'_>, pigment: &Pigment) -> Result<()> {
             .error(field.span, "`average` needs a map")
             .help("add `pigment_map { [1 …] [1 …] }` with what is to be mixed"));
     }
-    Ok(())
+    pigment.field().map_or(Ok(()), |field| pattern::check(vm, field))
 }

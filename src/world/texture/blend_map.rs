@@ -41,8 +41,8 @@ impl<T> BlendMap<T> {
         if value >= f64::from(*last) {
             return Pick::One(last_entry);
         }
-        // A value that is no number passes every position.
-        let Some(i) = entries.iter().position(|(at, _)| value <= f64::from(*at)) else {
+        // A value that is no number takes the first entry, as POV-Ray's does.
+        let Some(i) = entries.iter().position(|(at, _)| value <= f64::from(*at) || value.is_nan()) else {
             return Pick::One(last_entry);
         };
         let (at, current) = &entries[i];
@@ -79,6 +79,12 @@ mod tests {
         assert_eq!(map.pick(0.35), Pick::One(&0));
         assert_eq!(map.pick(0.59), Pick::One(&0));
         assert_eq!(map.pick(0.65), Pick::One(&2));
-        assert_eq!(map.pick(f64::NAN), Pick::One(&2));
+    }
+
+    #[test]
+    fn no_number_takes_the_first_entry() {
+        assert_eq!(map(&[0.2, 0.5]).pick(f64::NAN), Pick::One(&0));
+        assert_eq!(map(&[0.2, 0.5]).pick(f64::INFINITY), Pick::One(&1));
+        assert_eq!(map(&[0.2, 0.5]).pick(f64::NEG_INFINITY), Pick::One(&0));
     }
 }

@@ -47,7 +47,6 @@ pub(super) fn is_pattern(word: Word) -> bool {
                 | Magnet
                 | Mandel
                 | Object
-                | Pavement
                 | PigmentPattern
                 | Slope
                 | Spiral1
@@ -80,6 +79,7 @@ fn simple(word: Word) -> Option<Pattern> {
         Word::Leopard => Pattern::Leopard,
         Word::Marble => Pattern::Marble,
         Word::Onion => Pattern::Onion,
+        Word::Pavement => pavement::plain(),
         Word::Planar => Pattern::Planar,
         Word::Quilted => Pattern::Quilted { control0: 1.0, control1: 1.0 },
         Word::Radial => Pattern::Radial,
@@ -128,7 +128,6 @@ pub(super) fn read(vm: &mut Vm<'_>, owner: Owner) -> Result<Option<Field>> {
         }
         Word::Julia | Word::Magnet | Word::Mandel => fractal::read(vm)?,
         Word::Object => object::read(vm)?,
-        Word::Pavement => pavement::read(vm)?,
         Word::PigmentPattern => {
             let block = vm.enter()?;
             let empty = vm.state.empty();
@@ -160,6 +159,14 @@ fn tiling(vm: &mut Vm<'_>) -> Result<Pattern> {
             .help("tilings are numbered 1 to 27"));
     }
     Ok(Pattern::Tiling(number as u32))
+}
+
+/// What can be judged only when the whole block has been read.
+pub(super) fn check(vm: &Vm<'_>, field: &Field) -> Result<()> {
+    match &field.pattern {
+        Pattern::Pavement(pavement) => pavement::check(vm, pavement, field.span),
+        _ => Ok(()),
+    }
 }
 
 /// A new pattern in the place of an old one, whose warps, turbulence and modulation it keeps

@@ -1,7 +1,7 @@
 //! What may follow a pattern, in any order.
 
 use super::super::{transform, warp};
-use super::fractal;
+use super::{fractal, pavement};
 use crate::interp::{Fault, Result, Vm, Word};
 use crate::scene::pattern::{Turbulence, Wave};
 use crate::scene::{Field, Pattern};
@@ -38,6 +38,9 @@ pub(in crate::interp::statement) fn is_modifier(word: Word) -> bool {
                 | Interior
                 | Exterior
                 | Interpolate
+                | NumberOfSides
+                | NumberOfTiles
+                | Pattern
         )
 }
 
@@ -134,6 +137,15 @@ fn own(vm: &mut Vm<'_>, field: &mut Field, word: Word, place: Span) -> Result<()
         (Pattern::Quilted { control0, .. }, Word::Control0) => *control0 = vm.read_float()? as f32,
         (Pattern::Quilted { control1, .. }, Word::Control1) => *control1 = vm.read_float()? as f32,
         (Pattern::DensityFile { interpolate, .. }, Word::Interpolate) => *interpolate = vm.read_count()?,
+        (
+            Pattern::Pavement(pavement),
+            Word::NumberOfSides
+            | Word::NumberOfTiles
+            | Word::Pattern
+            | Word::Exterior
+            | Word::Interior
+            | Word::Form,
+        ) => pavement::option(vm, pavement, word)?,
         (Pattern::Fractal(fractal), Word::Exponent | Word::Interior | Word::Exterior) => {
             fractal::option(vm, fractal, word)?;
         }
@@ -146,12 +158,15 @@ fn unfit(vm: &Vm<'_>, word: Word, place: Span) -> Fault {
     let owner = match word {
         Word::AgateTurb => "`agate`",
         Word::BrickSize | Word::Mortar => "`brick`",
-        Word::Form | Word::Offset | Word::Solid => "`crackle`",
+        Word::NumberOfSides | Word::NumberOfTiles | Word::Pattern => "`pavement`",
+        Word::Form => "`crackle` and `pavement`",
+        Word::Offset | Word::Solid => "`crackle`",
         Word::Metric => "`crackle` and `facets`",
         Word::Size | Word::Coords => "`facets`",
         Word::Control0 | Word::Control1 => "`quilted`",
         Word::Interpolate => "images and `density_file`",
-        _ => "`mandel`, `julia` and `magnet`",
+        Word::Exponent => "`mandel` and `julia`",
+        _ => "`mandel`, `julia`, `magnet` and `pavement`",
     };
     let word = word.text();
     vm.error(place, format!("`{word}` means nothing to this pattern")).help(format!("it belongs to {owner}"))

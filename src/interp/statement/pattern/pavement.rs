@@ -5,27 +5,27 @@ use crate::scene::Pattern;
 use crate::scene::pattern::Pavement;
 use crate::source::Span;
 
-/// Reads the word and the settings after it.
-pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
-    let place = vm.next()?.span;
-    let mut pavement = Pavement { sides: 3, tiles: 1, pattern: 1, exterior: 0, interior: 0, form: 0 };
-    while let Some(word) = vm.peek_word()? {
-        let target = match word {
-            Word::NumberOfSides => &mut pavement.sides,
-            Word::NumberOfTiles => &mut pavement.tiles,
-            Word::Pattern => &mut pavement.pattern,
-            Word::Exterior => &mut pavement.exterior,
-            Word::Interior => &mut pavement.interior,
-            Word::Form => &mut pavement.form,
-            _ => break,
-        };
-        *target = vm.after_word(Vm::read_count)?;
-    }
-    check(vm, &pavement, place)?;
-    Ok(Pattern::Pavement(pavement))
+/// The pattern before any setting.
+pub(super) fn plain() -> Pattern {
+    Pattern::Pavement(Pavement { sides: 3, tiles: 1, pattern: 1, exterior: 0, interior: 0, form: 0 })
 }
 
-fn check(vm: &Vm<'_>, pavement: &Pavement, place: Span) -> Result<()> {
+/// Reads the value of a setting, whose word has been taken.
+pub(super) fn option(vm: &mut Vm<'_>, pavement: &mut Pavement, word: Word) -> Result<()> {
+    let target = match word {
+        Word::NumberOfSides => &mut pavement.sides,
+        Word::NumberOfTiles => &mut pavement.tiles,
+        Word::Pattern => &mut pavement.pattern,
+        Word::Exterior => &mut pavement.exterior,
+        Word::Interior => &mut pavement.interior,
+        _ => &mut pavement.form,
+    };
+    *target = vm.read_count()?;
+    Ok(())
+}
+
+/// Refuses numbers that no pavement has, once all of them are known.
+pub(super) fn check(vm: &Vm<'_>, pavement: &Pavement, place: Span) -> Result<()> {
     let patterns: &[u32] = match pavement.sides {
         3 => &[1, 1, 1, 3, 4, 12],
         4 => &[1, 1, 2, 5, 12, 35],

@@ -58,6 +58,7 @@ fn with_field(vm: &mut Vm<'_>, field: Field) -> Result<Texture> {
             }
         }
     }
+    pattern::check(vm, &field)?;
     match map {
         Some(map) => Ok(Texture::new(TextureBody::Patterned { field: Arc::new(field), map, no_bump_scale })),
         None => Err(vm.error(span, "a texture with a pattern needs textures to choose from").help(

@@ -1,0 +1,8 @@
+// `granite` by default, with its settings, and as a normal.
+#version 3.7;
+#include "stage.inc"
+#declare Embers = color_map { [0 rgb <0.1, 0.05, 0.2>] [0.5 rgb <0.9, 0.4, 0.2>] [1 rgb <1, 0.95, 0.7>] };
+#declare P = pigment { granite };
+#declare Q = pigment { granite noise_generator 1 turbulence 0.5 scale 2 color_map { Embers } };
+#declare N = normal { granite 0.6 scale 0.6 };
+Stage(P, Q, N)

@@ -1,0 +1,8 @@
+// `leopard` by default, with its settings, and as a normal.
+#version 3.7;
+#include "stage.inc"
+#declare Embers = color_map { [0 rgb <0.1, 0.05, 0.2>] [0.5 rgb <0.9, 0.4, 0.2>] [1 rgb <1, 0.95, 0.7>] };
+#declare P = pigment { leopard scale 0.1 };
+#declare Q = pigment { leopard turbulence 0.4 frequency 2 scale 0.2 color_map { Embers } };
+#declare N = normal { leopard 0.5 scale 0.1 };
+Stage(P, Q, N)

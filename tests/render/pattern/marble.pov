@@ -1,0 +1,8 @@
+// `marble` by default, with its settings, and as a normal.
+#version 3.7;
+#include "stage.inc"
+#declare Embers = color_map { [0 rgb <0.1, 0.05, 0.2>] [0.5 rgb <0.9, 0.4, 0.2>] [1 rgb <1, 0.95, 0.7>] };
+#declare P = pigment { marble turbulence 0.7 scale 0.6 };
+#declare Q = pigment { marble turbulence <0.3, 1, 0> octaves 3 lambda 3 sine_wave frequency 2 color_map { Embers } };
+#declare N = normal { marble 0.5 turbulence 0.4 scale 0.4 };
+Stage(P, Q, N)

@@ -1,0 +1,7 @@
+// `triangular` by default, with its settings, and as a normal.
+#version 3.7;
+#include "stage.inc"
+#declare P = pigment { triangular scale 0.4 rotate x*90 };
+#declare Q = pigment { triangular rgb 0.1, rgb 0.9, rgb <0.8, 0.3, 0.1> rotate <70, 0, 30> scale 0.4 };
+#declare N = normal { triangular 0.5 scale 0.4 rotate x*90 };
+Stage(P, Q, N)
