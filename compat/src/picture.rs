@@ -53,6 +53,11 @@ impl Picture {
         (self.width, self.height)
     }
 
+    /// Red, green, blue and alpha of every pixel, by rows from the top.
+    pub fn pixels(&self) -> impl Iterator<Item = &[u8; 4]> {
+        self.pixels.iter()
+    }
+
     /// Compares two pictures; nothing where their sizes differ. Alpha counts if either has it.
     pub fn difference(&self, other: &Picture) -> Option<Difference> {
         if self.size() != other.size() || self.pixels.is_empty() {
