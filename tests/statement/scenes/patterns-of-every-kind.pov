@@ -13,7 +13,7 @@ sphere { 0, 1 pigment { object { box { 0, 1 } rgb 0, rgb 1 } } }
 sphere { 0, 1 pigment { pavement number_of_sides 4 number_of_tiles 3 pattern 2 } }
 sphere { 0, 1 pigment { pigment_pattern { bozo scale 2 } } }
 sphere { 0, 1 pigment { quilted control0 0.5 } }
-sphere { 0, 1 pigment { slope { point_at 2*y, 0.1, 0.9 altitude y, 0, 2 } } }
+sphere { 0, 1 pigment { slope { 2*y, 0.1, 0.9 altitude y, 0, 2 } } }
 sphere { 0, 1 pigment { spiral1 3 } }
 sphere { 0, 1 pigment { tiling 12 } }
 sphere { 0, 1 pigment { image_map { function 4, 4 { x } interpolate 2 once repeat <2, 1> filter all 0.5 } scale 2 } }
