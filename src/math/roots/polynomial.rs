@@ -46,11 +46,20 @@ pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) 
     {
         return Roots::new();
     }
-    let bound = root_bound(coefficients);
-    let (low, high) = (low.max(-bound), high.min(bound));
-    if low > high {
-        return Roots::new();
+    let (mut low, mut high) = (low, high);
+    if low == f64::NEG_INFINITY || high == f64::INFINITY {
+        let bound = root_bound(coefficients);
+        (low, high) = (low.max(-bound), high.min(bound));
+        if low > high {
+            return Roots::new();
+        }
     }
+    isolated(coefficients, low, high).unwrap_or_else(|| by_derivatives(coefficients, low, high))
+}
+
+/// The same by way of all derivatives: slower, but sound where roots are multiple or nearly so.
+fn by_derivatives<const N: usize>(coefficients: &[f64], low: f64, high: f64) -> Roots<N> {
+    let length = coefficients.len();
     // The k-th derivative divided by k!, from the last one that is linear down to the polynomial itself:
     // the roots of each are the ends of the next one's monotone stretches.
     let degree = length - 1;
@@ -63,14 +72,118 @@ pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) 
     ends
 }
 
-/// Fujiwara's bound on the absolute value of every root, rounded up; not finite for extreme coefficients.
+/// Fujiwara's bound on the absolute value of every root, rounded up to a power of two; not finite for
+/// extreme coefficients.
 fn root_bound(coefficients: &[f64]) -> f64 {
     let degree = coefficients.len() - 1;
     let lead = coefficients[degree];
-    let largest = (0..degree)
-        .map(|i| (coefficients[i] / lead).abs().powf(1.0 / (degree - i) as f64))
-        .fold(0.0, f64::max);
-    (2.001 * largest).min(f64::MAX)
+    let exponent = |i: usize| {
+        let ratio = (coefficients[i] / lead).abs();
+        // The power of two above, and the root of it above that.
+        let above = (ratio.to_bits() >> 52) as i32 - 1022;
+        (above as f64 / (degree - i) as f64).ceil()
+    };
+    let places = (0..degree).filter(|&i| coefficients[i] != 0.0);
+    let largest = places.map(exponent).fold(f64::NEG_INFINITY, f64::max);
+    (2.0 * largest.exp2()).min(f64::MAX)
+}
+
+/// Intervals are halved at most this often to part neighbouring roots.
+const HALVINGS: u32 = 10;
+
+/// The roots in `[low, high]`, found where the signs of Bernstein coefficients tell them apart
+/// (Descartes' rule: no change of sign, no root; one change, one root). `None` where rounding or
+/// roots close together leave doubt.
+fn isolated<const N: usize>(c: &[f64], low: f64, high: f64) -> Option<Roots<N>> {
+    let degree = c.len() - 1;
+    let width = high - low;
+    // The polynomial of the share of the way from low to high.
+    let mut b = [0.0; N];
+    b[..=degree].copy_from_slice(c);
+    for from in 0..degree {
+        for i in (from..degree).rev() {
+            b[i] += low * b[i + 1];
+        }
+    }
+    // In Bernstein's form: each coefficient over its binomial, then Pascal's sums.
+    let (mut power, mut binomial) = (1.0, 1.0);
+    for (i, b) in b[..=degree].iter_mut().enumerate() {
+        *b *= power / binomial;
+        power *= width;
+        binomial = binomial * (degree - i) as f64 / (i + 1) as f64;
+    }
+    for from in 1..=degree {
+        for i in (from..=degree).rev() {
+            b[i] += b[i - 1];
+        }
+    }
+    let reach = low.abs() + width;
+    let size = c.iter().rev().fold(0.0, |sum, c| sum * reach + c.abs());
+    let noise = 16.0 * degree as f64 * f64::EPSILON * size;
+    if !noise.is_finite() {
+        return None;
+    }
+    let mut roots = Roots::new();
+    let place = Stretch { low, width, from: 0.0, share: 1.0 };
+    isolate(c, &b, place, noise, HALVINGS, &mut roots).then_some(roots)
+}
+
+/// A part of an interval.
+#[derive(Clone, Copy)]
+struct Stretch {
+    low: f64,
+    width: f64,
+    from: f64,
+    share: f64,
+}
+
+impl Stretch {
+    fn at(&self, share: f64) -> f64 {
+        self.low + self.width * (self.from + self.share * share)
+    }
+}
+
+/// Appends the roots on a stretch with the Bernstein coefficients `b`; whether all were told apart.
+fn isolate<const N: usize>(
+    c: &[f64],
+    b: &[f64; N],
+    place: Stretch,
+    noise: f64,
+    halvings: u32,
+    roots: &mut Roots<N>,
+) -> bool {
+    let degree = c.len() - 1;
+    if b[0].abs() <= noise || b[degree].abs() <= noise {
+        return false;
+    }
+    let changes = b[..=degree].windows(2).filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0)).count();
+    let certain = b[1..degree].iter().all(|b| b.abs() > noise);
+    if certain && changes == 0 {
+        return true;
+    }
+    if certain && changes == 1 {
+        let ends = [0.0, 1.0].map(|share| place.at(share)).map(|x| (x, value(c, x)));
+        let Some(root) = bracketed(c, ends[0], ends[1]) else {
+            return false;
+        };
+        roots.push(root);
+        return true;
+    }
+    if halvings == 0 {
+        return false;
+    }
+    // De Casteljau's halving.
+    let (mut left, mut right) = ([0.0; N], *b);
+    for i in 0..=degree {
+        left[i] = right[0];
+        for j in 0..degree - i {
+            right[j] = 0.5 * (right[j] + right[j + 1]);
+        }
+    }
+    let half = Stretch { share: 0.5 * place.share, ..place };
+    let second = Stretch { from: half.from + half.share, ..half };
+    isolate(c, &left, half, noise, halvings - 1, roots)
+        && isolate(c, &right, second, noise, halvings - 1, roots)
 }
 
 /// Coefficients of the `order`-th derivative over `order!`.

@@ -1,5 +1,7 @@
 //! `blob` (docs/spec/primitives.md 5.1).
 
+use smallvec::SmallVec;
+
 use super::stretch::Stretch;
 use super::{Crossing, OWN_TEXTURE, Shape};
 use crate::math::roots::{between, roots_between, with_discriminant};
@@ -14,6 +16,8 @@ pub struct Blob {
     threshold: f64,
     bounds: Bounds,
     bvh: Bvh,
+    /// Whether any part has a texture of its own.
+    textured: bool,
 }
 
 /// One ball, half-ball or tube around which a field is.
@@ -115,14 +119,6 @@ impl Span {
     }
 }
 
-/// Whether a quartic may change its sign between 0 and `end`: not if its Bernstein coefficients agree.
-fn may_change(c: &[f64; 5], end: f64) -> bool {
-    let [a, b, c, d, e] = std::array::from_fn(|i| c[i] * end.powi(i as i32));
-    let bernstein =
-        [a, a + b / 4.0, a + b / 2.0 + c / 6.0, a + 0.75 * b + c / 2.0 + d / 4.0, a + b + c + d + e];
-    !(bernstein.iter().all(|b| *b > 0.0) || bernstein.iter().all(|b| *b < 0.0))
-}
-
 /// How near two events may be to count as one, in units of the stretch of the ray that is in any field.
 const ONE_EVENT: f64 = 1e-13;
 
@@ -137,7 +133,8 @@ impl Blob {
         } else {
             Bounds::ALL
         };
-        Self { bvh: Bvh::new(boxes), parts, threshold, bounds }
+        let textured = parts.iter().any(|part| part.texture != OWN_TEXTURE);
+        Self { bvh: Bvh::new(boxes), parts, threshold, bounds, textured }
     }
 
     /// Strength at a point above the threshold, and the gradient.
@@ -166,13 +163,14 @@ impl Blob {
     fn walk(&self, ray: &Ray, mut found: impl FnMut(f64) -> bool) {
         let center = if self.bounds.is_finite() { self.bounds.center() } else { DVec3::ZERO };
         let (shift, ray) = ray.moved_to(center);
-        let mut spans = Vec::new();
+        let mut spans = SmallVec::<[Span; 16]>::new();
         self.bvh.along(&ray, Range::LINE, |part| {
             spans.extend(self.parts[part as usize].meet(&ray));
             f64::INFINITY
         });
-        let mut events: Vec<f64> = spans.iter().flat_map(|span| [span.enter, span.leave]).collect();
-        events.sort_by(f64::total_cmp);
+        let mut events: SmallVec<[f64; 32]> =
+            spans.iter().flat_map(|span| [span.enter, span.leave]).collect();
+        events.sort_unstable_by(f64::total_cmp);
         events.dedup();
         // The sum at the end of one gap is that at the start of the next.
         let mut value = -self.threshold;
@@ -188,21 +186,22 @@ impl Blob {
                 span.add(start, &mut quartic);
             }
             let at = |t: f64| quartic.iter().rev().fold(0.0, |sum, c| sum * t + c);
+            let seeds = roots_between::<5>(&quartic, 0.0, length);
+            let seeds = seeds.as_slice();
+            let middles = seeds.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
             let mut from = (0.0, value);
-            if may_change(&quartic, length) || (value > 0.0) != (quartic[0] > 0.0) {
-                let seeds = roots_between::<5>(&quartic, 0.0, length);
-                let middles = seeds.as_slice().windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-                for t in middles.chain([length]) {
-                    let to = (t, at(t));
-                    if (from.1 > 0.0) != (to.1 > 0.0) && !found(start + between(from, to, at) + shift) {
+            for (i, t) in middles.chain([length]).enumerate() {
+                let to = (t, at(t));
+                if (from.1 > 0.0) != (to.1 > 0.0) {
+                    // Only where gaps meet can there be a change without a root.
+                    let root = seeds.get(i).copied().unwrap_or_else(|| between(from, to, at));
+                    if !found(start + root + shift) {
                         return;
                     }
-                    from = to;
                 }
-                value = from.1;
-            } else {
-                value = at(length);
+                from = to;
             }
+            value = from.1;
         }
     }
 }
@@ -241,7 +240,7 @@ impl Shape for Blob {
     }
 
     fn textures(&self, point: DVec3, _crossing: &Crossing, found: &mut dyn FnMut(u32, f64)) {
-        if self.parts.iter().all(|part| part.texture == OWN_TEXTURE) {
+        if !self.textured {
             return;
         }
         let mut sum = 0.0;

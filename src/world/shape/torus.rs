@@ -19,6 +19,11 @@ pub struct Torus {
 /// How much larger than the torus the bounds are that clip the ray, so that a tangent ray isn't lost.
 const ROOM: f64 = 1.0 + 1e-9;
 
+/// Without the detour by which `hypot` avoids overflow.
+fn length(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
 impl Torus {
     /// The stretch of the ray in which roots are looked for, inside the slab and the sphere around.
     fn clip(&self, ray: &Ray, speed: f64) -> Option<(f64, f64)> {
@@ -47,7 +52,7 @@ impl Torus {
         let size = self.major + self.minor;
         let (o, d) = (ray.origin / size, ray.direction / speed);
         let (major, minor) = (self.major / size, self.minor / size);
-        let around = o.x.hypot(o.z);
+        let around = length(o.x, o.z);
         let along = o.x * d.x + o.z * d.z;
         let steep = d.x * d.x + d.z * d.z;
         let m = o.dot(d);
@@ -83,11 +88,11 @@ impl Torus {
 
     /// The middle of the tube `point` lies on, and its part: for the inner sheet that is across the axis.
     fn nearest_ring(&self, point: DVec3) -> (DVec3, u32) {
-        let around = point.x.hypot(point.z);
+        let around = length(point.x, point.z);
         let across = DVec3::new(point.x, 0.0, point.z) * (self.major / around);
         let across = if around == 0.0 { DVec3::X * self.major } else { across };
-        let outer = ((around - self.major).hypot(point.y) - self.minor).abs();
-        let inner = ((around + self.major).hypot(point.y) - self.minor).abs();
+        let outer = (length(around - self.major, point.y) - self.minor).abs();
+        let inner = (length(around + self.major, point.y) - self.minor).abs();
         if inner < outer { (-across, 1) } else { (across, 0) }
     }
 }
@@ -122,11 +127,11 @@ impl Shape for Torus {
     }
 
     fn inside(&self, point: DVec3) -> bool {
-        (point.x.hypot(point.z) - self.major).hypot(point.y) <= self.minor
+        length(length(point.x, point.z) - self.major, point.y) <= self.minor
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
-        let around = point.x.hypot(point.z);
+        let around = length(point.x, point.z);
         if around == 0.0 {
             return point;
         }
