@@ -36,16 +36,24 @@ pub enum Metric {
     Square,
     /// `metric 1`: absolute values.
     Absolute,
+    /// Any other whole power up to [`Metric::LARGEST_WHOLE`].
+    Whole(i32),
     /// Any other power.
     Power(f64),
 }
 
 impl Metric {
+    /// Beyond this multiplying out is no longer as exact as a power.
+    const LARGEST_WHOLE: f64 = 8.0;
+
     /// The metric for the number a user writes.
     pub fn new(metric: f64) -> Self {
         match metric {
             2.0 => Self::Square,
             1.0 => Self::Absolute,
+            whole if whole > 0.0 && whole <= Self::LARGEST_WHOLE && whole.fract() == 0.0 => {
+                Self::Whole(whole as i32)
+            }
             other => Self::Power(other),
         }
     }
@@ -54,6 +62,7 @@ impl Metric {
         match self {
             Self::Square => d.x * d.x + d.y * d.y + d.z * d.z,
             Self::Absolute => d.x.abs() + d.y.abs() + d.z.abs(),
+            Self::Whole(m) => d.x.abs().powi(m) + d.y.abs().powi(m) + d.z.abs().powi(m),
             Self::Power(m) => d.x.abs().powf(m) + d.y.abs().powf(m) + d.z.abs().powf(m),
         }
     }
@@ -62,6 +71,7 @@ impl Metric {
         match self {
             Self::Square => sum.sqrt(),
             Self::Absolute => sum,
+            Self::Whole(m) => sum.powf(1.0 / f64::from(m)),
             Self::Power(m) => sum.powf(1.0 / m),
         }
     }
@@ -71,26 +81,42 @@ impl Metric {
             _ if offset == 0.0 => 0.0,
             Self::Square => offset * offset,
             Self::Absolute => offset,
+            Self::Whole(m) => offset.powi(m),
             Self::Power(m) => offset.powf(m),
         }
     }
 
     /// Whether a seed in the cell at `offset` from the cell of a point at `inside` (its place in
-    /// its own cell, 0 … 1) could be as near as `limit`. Only squares are worth the question.
+    /// its own cell, 0 … 1) could be as near as `limit`. Only squares are worth the exact question.
     fn may_reach(self, offset: [i32; 3], inside: DVec3, limit: f64) -> bool {
-        if self != Self::Square {
-            return true;
-        }
         let gap = |o: i32, f: f64| match o {
             0 => 0.0,
             1.. => f64::from(o) - f,
             _ => f - f64::from(o + 1),
         };
         let d = DVec3::new(gap(offset[0], inside.x), gap(offset[1], inside.y), gap(offset[2], inside.z));
+        let least = match self {
+            Self::Square => d.length_squared(),
+            Self::Absolute => d.element_sum(),
+            Self::Whole(m) => d.max_element().powi(m),
+            Self::Power(_) => return true,
+        };
         // A little slack keeps rounding from hiding a seed on the very boundary.
-        d.length_squared() <= limit * (1.0 + 1e-9) + 1e-9
+        least <= limit * (1.0 + 1e-9) + 1e-9
+    }
+
+    /// Whether no seed two cells away, a whole cell between, can be as near as `limit`.
+    fn ends_nearby(self, limit: f64) -> bool {
+        let grows = match self {
+            Self::Power(m) => m > 0.0,
+            _ => true,
+        };
+        grows && limit < 1.0 - 1e-9
     }
 }
+
+/// So many of the [`NEIGHBOURS`] share a corner with the cell itself.
+const ADJACENT: usize = 27;
 
 /// The cells whose seeds may be among the nearest three: at most one step of two. The nearest cells come
 /// first, so that the far ones can be passed over.
@@ -98,7 +124,7 @@ static NEIGHBOURS: LazyLock<Vec<[i32; 3]>> = LazyLock::new(|| {
     let steps = || -2..=2_i32;
     let all = steps().flat_map(|x| steps().flat_map(move |y| steps().map(move |z| [x, y, z])));
     let mut near: Vec<_> = all.filter(|o| o.iter().filter(|c| c.abs() == 2).count() <= 1).collect();
-    near.sort_by_key(|o| o.iter().map(|c| c * c).sum::<i32>());
+    near.sort_by_key(|o| (o.iter().any(|c| c.abs() == 2), o.iter().map(|c| c * c).sum::<i32>()));
     near
 });
 
@@ -107,7 +133,10 @@ impl Crackle {
         let cell = (p - EPSILON).floor();
         let mut sums = [f64::INFINITY; 3];
         let mut nearest = DVec3::ZERO;
-        for &offset in NEIGHBOURS.iter() {
+        for (number, &offset) in NEIGHBOURS.iter().enumerate() {
+            if number == ADJACENT && self.metric.ends_nearby(sums[2]) {
+                break;
+            }
             if !self.metric.may_reach(offset, p - cell, sums[2]) {
                 continue;
             }
@@ -145,18 +174,25 @@ impl Facets {
         n + self.coords * (tilt - tilt.dot(n) * n)
     }
 
+    /// POV-Ray's sum for metric 1 keeps the signs.
+    fn signless(&self) -> bool {
+        self.metric != Metric::Absolute
+    }
+
     fn nearest(&self, q: DVec3) -> DVec3 {
         let mut best = (f64::INFINITY, DVec3::ZERO);
         let inside = q - (q - EPSILON).floor();
-        for &offset in NEIGHBOURS.iter() {
-            if !self.metric.may_reach(offset, inside, best.0) {
+        for (number, &offset) in NEIGHBOURS.iter().enumerate() {
+            if number == ADJACENT && self.signless() && self.metric.ends_nearby(best.0) {
+                break;
+            }
+            if self.signless() && !self.metric.may_reach(offset, inside, best.0) {
                 continue;
             }
             let corner = (q + DVec3::from_array(offset.map(f64::from)) - EPSILON).floor();
             let seed = corner + cell_point(corner.to_array().map(|c| c as i32));
             let d = seed - q;
-            // POV-Ray's sum for metric 1 keeps the signs.
-            let sum = if self.metric == Metric::Absolute { d.x + d.y + d.z } else { self.metric.sum(d) };
+            let sum = if self.signless() { self.metric.sum(d) } else { d.element_sum() };
             if sum < best.0 {
                 best = (sum, seed);
             }
