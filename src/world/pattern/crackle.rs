@@ -1,5 +1,6 @@
 //! `crackle` and the seeds of `facets` (docs/spec/patterns-textures.md 2.3 and 4.3).
 
+use std::cell::RefCell;
 use std::sync::LazyLock;
 
 use crate::math::DVec3;
@@ -128,30 +129,75 @@ static NEIGHBOURS: LazyLock<Vec<[i32; 3]>> = LazyLock::new(|| {
     near
 });
 
+/// The seeds of a cell and those around it, in the order of the [`NEIGHBOURS`].
+struct Seeds {
+    cell: [i32; 3],
+    places: [DVec3; ADJACENT],
+}
+
+thread_local! {
+    /// Those around the last point asked for: the next one is mostly in the same cell.
+    static SEEDS: RefCell<Seeds> = RefCell::new(Seeds::of([0; 3]));
+}
+
+impl Seeds {
+    fn of(cell: [i32; 3]) -> Self {
+        Self { cell, places: std::array::from_fn(|number| seed(cell, NEIGHBOURS[number])) }
+    }
+}
+
+/// The seed of the cell at `offset` from another.
+fn seed(cell: [i32; 3], offset: [i32; 3]) -> DVec3 {
+    let corner = std::array::from_fn(|axis| cell[axis].wrapping_add(offset[axis]));
+    DVec3::from_array(corner.map(f64::from)) + cell_point(corner)
+}
+
+/// The three least sums and the seed of the least.
+struct Nearest {
+    sums: [f64; 3],
+    seed: DVec3,
+}
+
+impl Nearest {
+    fn meet(&mut self, seed: DVec3, sum: f64) {
+        let [a, b, c] = self.sums;
+        if sum >= c {
+            return;
+        }
+        if sum < a {
+            self.sums = [sum, a, b];
+            self.seed = seed;
+        } else if sum < b {
+            self.sums = [a, sum, b];
+        } else {
+            self.sums[2] = sum;
+        }
+    }
+}
+
 impl Crackle {
     pub(super) fn value(&self, p: DVec3) -> f64 {
-        let cell = (p - EPSILON).floor();
-        let mut sums = [f64::INFINITY; 3];
-        let mut nearest = DVec3::ZERO;
-        for (number, &offset) in NEIGHBOURS.iter().enumerate() {
-            if number == ADJACENT && self.metric.ends_nearby(sums[2]) {
-                break;
+        let corner = (p - EPSILON).floor();
+        let cell = corner.to_array().map(|c| c as i32);
+        let mut nearest = Nearest { sums: [f64::INFINITY; 3], seed: DVec3::ZERO };
+        SEEDS.with_borrow_mut(|seeds| {
+            if seeds.cell != cell {
+                *seeds = Seeds::of(cell);
             }
-            if !self.metric.may_reach(offset, p - cell, sums[2]) {
-                continue;
+            let sums = seeds.places.map(|seed| self.metric.sum(p - seed));
+            for (seed, sum) in seeds.places.into_iter().zip(sums) {
+                nearest.meet(seed, sum);
             }
-            let corner = cell + DVec3::from_array(offset.map(f64::from));
-            let seed = corner + cell_point(corner.to_array().map(|c| c as i32));
-            let sum = self.metric.sum(p - seed);
-            if sum < sums[0] {
-                sums = [sum, sums[0], sums[1]];
-                nearest = seed;
-            } else if sum < sums[1] {
-                sums = [sums[0], sum, sums[1]];
-            } else if sum < sums[2] {
-                sums[2] = sum;
+        });
+        if !self.metric.ends_nearby(nearest.sums[2]) {
+            for &offset in &NEIGHBOURS[ADJACENT..] {
+                if self.metric.may_reach(offset, p - corner, nearest.sums[2]) {
+                    let seed = seed(cell, offset);
+                    nearest.meet(seed, self.metric.sum(p - seed));
+                }
             }
         }
+        let Nearest { sums, seed: nearest } = nearest;
         if let Some(generator) = self.solid {
             return noise(generator, nearest);
         }
