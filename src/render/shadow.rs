@@ -106,8 +106,13 @@ impl Tracer<'_> {
             }
         }
         self.statistics.shadow_rays += 1;
+        let geometry = &self.world.geometry;
+        if self.blocker.is_some_and(|object| geometry.is_blocked_by(object, &ray, range)) {
+            return Rgb::ZERO;
+        }
         let mut occluders = std::mem::take(&mut self.occluders);
-        let color = if self.world.geometry.occluders(&ray, range, &mut occluders) {
+        self.blocker = geometry.occluders(&ray, range, &mut occluders);
+        let color = if self.blocker.is_some() {
             Rgb::ZERO
         } else {
             self.filtered(at, light, incident.color, &ray, range.max, &occluders)

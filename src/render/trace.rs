@@ -57,6 +57,8 @@ pub(super) struct Tracer<'w> {
     pub(super) mirrors: Vec<Mirror>,
     /// Transparent surfaces on the way of the shadow ray at hand.
     pub(super) occluders: Vec<Hit>,
+    /// What was in the way of the last shadow ray, and so probably is in that of the next.
+    pub(super) blocker: Option<u32>,
     /// Shadow colours on the grid of the area light at hand.
     pub(super) grid: Vec<Option<Rgb>>,
 }
@@ -73,6 +75,7 @@ impl<'w> Tracer<'w> {
             arrivals: Vec::new(),
             mirrors: Vec::new(),
             occluders: Vec::new(),
+            blocker: None,
             grid: Vec::new(),
         }
     }

@@ -95,11 +95,17 @@ impl Geometry {
         best
     }
 
-    /// What stands between a point and a light: whether something opaque does; if not, `through`
+    /// Whether an object, opaque all over, is in the way of light.
+    pub fn is_blocked_by(&self, object: u32, ray: &Ray, range: Range) -> bool {
+        let (number, object) = (object, &self.parts.objects[object as usize]);
+        object.opaque && self.occluders_of(object, number, ray, range, &mut Vec::new())
+    }
+
+    /// What stands between a point and a light: an opaque object; if there is none, `through`
     /// holds the transparent surfaces, the nearest first, coincident ones once.
-    pub fn occluders(&self, ray: &Ray, range: Range, through: &mut Vec<Hit>) -> bool {
+    pub fn occluders(&self, ray: &Ray, range: Range, through: &mut Vec<Hit>) -> Option<u32> {
         through.clear();
-        let mut blocked = false;
+        let mut blocker = None;
         widest(
             #[inline(always)]
             || {
@@ -108,7 +114,8 @@ impl Geometry {
                     range,
                     #[inline(always)]
                     |number, object| {
-                        blocked = self.occluders_of(object, number, ray, range, through);
+                        let blocked = self.occluders_of(object, number, ray, range, through);
+                        blocker = blocked.then_some(number);
                         if blocked { f64::NEG_INFINITY } else { range.max }
                     },
                 );
@@ -121,9 +128,10 @@ impl Geometry {
             through
                 .dedup_by(|next, kept| next.t - kept.t <= self.parts.slack(ray, kept.leaf, &kept.crossing));
         }
-        blocked
+        blocker
     }
 
+    /// Whether an opaque part of an object is in the way.
     #[inline(always)]
     fn occluders_of(
         &self,

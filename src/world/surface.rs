@@ -51,7 +51,10 @@ impl Geometry {
         let behind = if lag == 0.0 { inner } else { inner_ray.at(hit.t + lag) };
         let textured = if lag == 0.0 { point } else { outer(behind) };
         let normal = leaf.primitive.outer_normal(behind, &hit.crossing, &|normal| leaf.outer_normal(normal));
-        let geometric = leaf.outer_normal(leaf.primitive.geometric_normal(inner, &hit.crossing));
+        let geometric = match lag == 0.0 && !leaf.primitive.interpolates() {
+            true => normal,
+            false => leaf.outer_normal(leaf.primitive.geometric_normal(inner, &hit.crossing)),
+        };
         let inside = normal.dot(ray.direction) > 0.0;
         let turn = |n: DVec3| if inside { -n } else { n };
         let coordinates = ray.origin.abs().max(point.abs()).max_element() + size(leaf.extent.bounds);

@@ -185,7 +185,7 @@ impl Parts {
 /// the ray misses.
 fn inside_leaf(leaf: &Leaf, stretch: Option<Option<(f64, f64)>>) -> Inside {
     if !leaf.flags.contains(LeafFlags::SOLID) {
-        return Inside::Constant(false);
+        return Inside::Surface;
     }
     if leaf.limits.is_some() {
         return Inside::Point;

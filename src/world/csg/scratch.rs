@@ -23,6 +23,8 @@ pub(super) enum Inside {
     Between { enter: f64, leave: f64, inverted: bool },
     /// Everywhere the same.
     Constant(bool),
+    /// Nowhere, but there is a surface that others may contain.
+    Surface,
     /// The geometry knows.
     Point,
     /// By the members below; all others don't decide.

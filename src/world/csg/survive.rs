@@ -57,6 +57,7 @@ impl Tree<'_> {
         match self.near[member].inside {
             Inside::Between { enter, leave, inverted } => (enter < t && t < leave) != inverted,
             Inside::Constant(inside) => inside,
+            Inside::Surface => false,
             Inside::Point => self.parts.inside(self.near[member].member, self.ray.at(t)),
             Inside::Members => {
                 let limits = self.parts.limits(self.near[member].member);

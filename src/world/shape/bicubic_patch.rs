@@ -227,6 +227,10 @@ impl Shape for BicubicPatch {
         self.mesh.normal(point, crossing)
     }
 
+    fn interpolates(&self) -> bool {
+        true
+    }
+
     fn geometric_normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
         self.mesh.geometric_normal(point, crossing)
     }

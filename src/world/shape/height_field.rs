@@ -206,6 +206,10 @@ impl Shape for HeightField {
         row(z).lerp(row(z + 1), v).normalize()
     }
 
+    fn interpolates(&self) -> bool {
+        self.smooth
+    }
+
     fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
         let normal = face_normal(self.triangle(crossing.part));
         if normal.y < 0.0 { -normal } else { normal }

@@ -109,6 +109,11 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         self.normal(point, crossing)
     }
 
+    /// Whether [`Shape::geometric_normal`] may be another than [`Shape::normal`].
+    fn interpolates(&self) -> bool {
+        false
+    }
+
     /// [`Shape::normal`] in the space around: `outer` takes a normal there and makes it unit. Overridden
     /// where POV-Ray blends normals that it has taken there.
     fn outer_normal(&self, point: DVec3, crossing: &Crossing, outer: &dyn Fn(DVec3) -> DVec3) -> DVec3 {

@@ -125,6 +125,10 @@ impl Shape for Primitive {
         each!(self, shape => shape.textures(point, crossing, found));
     }
 
+    fn interpolates(&self) -> bool {
+        each!(self, shape => shape.interpolates())
+    }
+
     fn outer_normal(&self, point: DVec3, crossing: &Crossing, outer: &dyn Fn(DVec3) -> DVec3) -> DVec3 {
         each!(self, shape => shape.outer_normal(point, crossing, outer))
     }

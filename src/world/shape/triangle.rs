@@ -200,6 +200,10 @@ impl Shape for Triangle {
     }
 
     /// On the side of the interpolated one, where there is one.
+    fn interpolates(&self) -> bool {
+        self.normals.is_some()
+    }
+
     fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
         let normal = face_normal(self.corners);
         let smooth = self.normals.as_ref().map(|normals| blend(**normals, crossing.at));

@@ -198,6 +198,10 @@ impl Shape for Mesh {
         }
     }
 
+    fn interpolates(&self) -> bool {
+        !self.lists.normals.is_empty()
+    }
+
     /// On the side of the interpolated one, where there is one.
     fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
         let normal = face_normal(self.corners(crossing.part));
