@@ -35,11 +35,11 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
         }),
         16 => (6, dupin),
         18 => (1, |x, y, z, p| {
-            let z = if z.abs() < 0.2 { 0.2 } else { z };
+            let below = if z.abs() < 0.2 { 0.2 } else { z };
             let d = y * y - x * x;
             // The last term takes the square of z as it came.
-            let a = d / (2.0 * z) + 2.0 * z * z / 9.0;
-            let b = d / (4.0 * z);
+            let a = d / (2.0 * below) + 2.0 * z * z / 9.0;
+            let b = d / (4.0 * below);
             cl(-p[0] * (a * a * a - 6.0 * b * b))
         }),
         20 => (3, |x, y, z, p| {
