@@ -189,6 +189,11 @@ pub fn cell_hash(cell: [i32; 3]) -> usize {
     hashed(hashed(hashed(low(cell[0])) ^ low(cell[1])) ^ low(cell[2]))
 }
 
+/// Whether anything has needed a table of noise so far. Each is made when it is first used.
+pub fn has_tables() -> bool {
+    tables::exist()
+}
+
 /// The `index`-th uniform random number of the fixed table, 0 … 1; indices wrap.
 pub fn uniform(index: usize) -> f64 {
     UNIFORM[index % UNIFORM_SIZE]

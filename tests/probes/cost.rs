@@ -66,6 +66,80 @@ fn straight_ways_are_followed_without_end_and_without_levels() {
     assert_eq!(rendered.statistics.transmitted_rays, 3000);
 }
 
+/// A wall in a texture, seen by 192 rays.
+fn wall(texture: &str) -> Statistics {
+    statistics(&format!("plane{{z,5 {texture}}}"))
+}
+
+#[test]
+fn a_scene_of_plain_colours_evaluates_nothing_else() {
+    let counts = wall("pigment{rgb <1,.5,.2>}");
+    assert_eq!((counts.texture_evaluations, counts.patterns, counts.bumps, counts.functions), (192, 0, 0, 0));
+    assert_eq!((counts.noise, counts.vector_noise, counts.image_lookups, counts.images), (0, 0, 0, 0));
+    assert_eq!(counts.texture_coordinates, 0);
+}
+
+#[test]
+fn what_is_evaluated_is_counted() {
+    let counts = wall("texture{pigment{granite turbulence .5 octaves 3} normal{bumps .3}}");
+    assert_eq!((counts.patterns, counts.bumps, counts.noise), (192, 192, 192 * 6));
+    assert_eq!(counts.vector_noise, 192 * (3 + 1));
+    let called = wall("pigment{function{x+y}}").functions;
+    assert!(called >= 192, "{called} calls");
+    let mapped = "sphere{5*z,3 pigment{uv_mapping checker rgb 0 rgb 1}}";
+    let counts = statistics(mapped);
+    assert!(counts.texture_coordinates > 0 && counts.texture_coordinates == counts.texture_evaluations);
+}
+
+#[test]
+fn turbulence_without_an_amount_is_not_evaluated() {
+    for pattern in [
+        "bozo turbulence 0",
+        "bozo warp{turbulence 0}",
+        "gradient x turbulence <0,0,0>",
+        "wood turbulence 0",
+        "marble turbulence 0",
+        "spiral1 3 turbulence 0",
+        "agate agate_turb 0",
+    ] {
+        let counts = wall(&format!("pigment{{{pattern} color_map{{[0 rgb 0][1 rgb 1]}}}}"));
+        let of_bozo = if pattern.starts_with("bozo") { 192 } else { 0 };
+        assert_eq!((counts.vector_noise, counts.noise), (0, of_bozo), "{pattern}");
+    }
+    assert_eq!(wall("pigment{bozo turbulence .1}").vector_noise, 192 * 6);
+}
+
+#[test]
+fn what_has_no_weight_is_not_evaluated() {
+    let low = "gradient z scale 100";
+    for texture in [
+        format!(
+            "texture{{{low} texture_map{{[.5 pigment{{rgb 1}}][.5 pigment{{granite}} normal{{bumps}}]}}}}"
+        ),
+        format!("pigment{{{low} pigment_map{{[.5 rgb 1][.5 granite]}}}}"),
+        format!("pigment{{rgb 1}} normal{{{low} normal_map{{[.5 facets size 1][.5 bumps]}}}}"),
+        "texture{average texture_map{[1 pigment{rgb 1}][0 pigment{granite} normal{bumps}]}}".to_owned(),
+        "pigment{average pigment_map{[1 rgb 1][0 granite]}}".to_owned(),
+        "pigment{rgb 1} normal{average normal_map{[1 facets size 1][0 granite]}}".to_owned(),
+        "texture{pigment{granite} normal{bumps}} texture{pigment{rgb 1}}".to_owned(),
+    ] {
+        let counts = wall(&texture);
+        assert_eq!((counts.texture_evaluations, counts.noise, counts.vector_noise), (192, 0, 0), "{texture}");
+    }
+}
+
+#[test]
+fn images_that_nothing_shows_are_not_decoded() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("two.ppm");
+    std::fs::write(&file, "P3\n2 1\n255\n10 20 30  200 100 50\n").unwrap();
+    let image = format!("pigment{{image_map{{ppm \"{}\"}}}}", file.display());
+    let unused = statistics(&format!("#declare T=texture{{{image}}} plane{{z,5 pigment{{rgb 1}}}}"));
+    assert_eq!((unused.images, unused.image_lookups), (0, 0));
+    let shown = wall(&image);
+    assert_eq!((shown.images, shown.image_lookups, shown.texture_coordinates), (1, 192, 0));
+}
+
 /// Mirrors, glass, a jittered area light, grain, antialiasing: everything that asks for numbers.
 #[test]
 fn threads_do_not_change_the_picture() {

@@ -121,6 +121,12 @@ pub(super) static PERLIN: LazyLock<Box<Perlin>> = LazyLock::new(|| {
     Box::new(Perlin { shuffle: std::array::from_fn(|k| shuffle[k]), gradient })
 });
 
+/// Whether any of the tables has been made.
+pub(super) fn exist() -> bool {
+    let lattice = LazyLock::get(&HASH).is_some() || LazyLock::get(&GRADIENT).is_some();
+    lattice || LazyLock::get(&UNIFORM).is_some() || LazyLock::get(&PERLIN).is_some()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
