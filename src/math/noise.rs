@@ -59,7 +59,9 @@ fn noise_octaves(generator: u8, p: DVec3, scales: &[f64], values: &mut [f64]) {
     #[cfg(target_arch = "x86_64")]
     if let (Some(lattice), 0..=2) = (avx2::Lattice::get(), generator) {
         lattice.sums(p, scales, values);
-        values.iter_mut().for_each(|sum| *sum = leveled(generator, *sum));
+        for value in values {
+            *value = leveled(generator, *value);
+        }
         return;
     }
     for (scale, value) in scales.iter().zip(values) {

@@ -116,6 +116,9 @@ pub enum Formula {
     Wrinkles(u8),
 }
 
+/// What values start again at (docs/spec/patterns-textures.md 2.1).
+const PERIOD: f64 = 1.00001;
+
 impl Pattern {
     /// A formula as it is: no warps, the raw value.
     pub fn plain(formula: Formula) -> Self {
@@ -132,7 +135,11 @@ impl Pattern {
     fn finish(&self, raw: f64) -> f64 {
         let mut v = raw;
         if self.frequency != 0.0 {
-            v = (v * self.frequency + self.phase) % 1.00001;
+            v = v * self.frequency + self.phase;
+            // The remainder of what is less anyway is the same, but not as soon found.
+            if v.abs() >= PERIOD || v.is_nan() {
+                v %= PERIOD;
+            }
         }
         if v < 0.0 {
             v -= v.floor();

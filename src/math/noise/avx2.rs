@@ -89,14 +89,14 @@ impl Lattice {
     fn several(&self, x: f64, y: f64, z: f64, scales: &[f64], sums: &mut [f64]) {
         let p = lanes(x, y, z);
         let [x, y, z] = [_mm256_set1_pd(x), _mm256_set1_pd(y), _mm256_set1_pd(z)];
-        let (fours, rest) = scales.as_chunks::<4>();
-        let (sums, last) = sums.split_at_mut(4 * fours.len());
-        for (&[a, b, c, d], sums) in fours.iter().zip(sums.as_chunks_mut::<4>().0) {
+        let mut at = 0;
+        while let Some(&[a, b, c, d]) = scales[at..].first_chunk() {
             let scale = _mm256_set_pd(d, c, b, a);
             let found = self.four(_mm256_mul_pd(x, scale), _mm256_mul_pd(y, scale), _mm256_mul_pd(z, scale));
-            *sums = each(found);
+            sums[at..at + 4].copy_from_slice(&each(found));
+            at += 4;
         }
-        for (scale, sum) in rest.iter().zip(last) {
+        for (scale, sum) in scales[at..].iter().zip(&mut sums[at..]) {
             *sum = self.one(_mm256_mul_pd(p, _mm256_set1_pd(*scale)));
         }
     }

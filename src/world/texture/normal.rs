@@ -103,8 +103,11 @@ impl Normal {
             Formula::Bumps(_) => n + amount * vector_noise(p),
             Formula::Dents(generator) => n + (dents(*generator, p) * amount) * vector_noise(p),
             Formula::Wrinkles(_) => {
-                let octaves = vector_noise_scaled(p, &WRINKLES).into_iter().zip(WRINKLES);
-                n + amount * octaves.map(|(v, scale)| (v / scale).abs()).sum::<DVec3>()
+                let mut sum = DVec3::ZERO;
+                for (v, scale) in vector_noise_scaled(p, &WRINKLES).iter().zip(&WRINKLES) {
+                    sum += (*v / *scale).abs();
+                }
+                n + amount * sum
             }
             _ => self.by_slopes(sample, n, |p| pattern.value_at(p, sample)),
         }
