@@ -63,7 +63,7 @@ pub(super) fn main(
 pub(super) fn as_povray(words: &[String], err: &mut (dyn Write + Send)) -> u8 {
     let result = povray::job(words).map_err(Failure::Problem).and_then(|(settings, job)| {
         let quiet = settings.bool(Name::AllConsole) == Some(false);
-        render::watch(&job, Teller::new(&mut *err, quiet), false)
+        render::watch(&job, Teller::new(&mut *err, quiet), false, "+C")
     });
     end(result.map(|()| true), err)
 }

@@ -1,9 +1,10 @@
 //! `povista render`: a bar while it works, a short summary after.
 
+use std::fmt;
 use std::io::Write;
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use super::args::Render;
 use super::settings;
@@ -18,7 +19,10 @@ use crate::render::Progress;
 use crate::source::Sources;
 
 /// What the bar looks like.
-const BAR: &str = "{msg} {wide_bar:.cyan/blue} {percent:>3} %  {elapsed} elapsed, {eta} left";
+const BAR: &str = "{msg} {wide_bar:.cyan/blue} {percent:>3} %  {elapsed} elapsed{left}";
+
+/// Longest name of a scene beside the bar.
+const NAME: usize = 20;
 
 /// Renders a scene.
 ///
@@ -32,18 +36,23 @@ pub(super) fn render(arguments: &Render, err: &mut (dyn Write + Send)) -> Result
     job.exact_output = arguments.output.as_ref().is_some_and(|output| settings::has_extension(output));
     job.language.skip_unsupported = arguments.skip_unsupported;
     job.render.accelerator = settings::accelerator(arguments.accel);
-    watch(&job, Teller::new(err, arguments.quiet), arguments.stats)
+    watch(&job, Teller::new(err, arguments.quiet), arguments.stats, "--continue")
 }
 
 /// Runs a job and tells about it.
 ///
 /// # Errors
 /// The scene has errors, or a picture cannot be made or stored.
-pub(super) fn watch(job: &Job, mut teller: Teller<'_>, counts: bool) -> Result<(), Failure> {
+pub(super) fn watch(
+    job: &Job,
+    mut teller: Teller<'_>,
+    counts: bool,
+    resume: &'static str,
+) -> Result<(), Failure> {
     for warning in &job.warnings {
         teller.warn(warning);
     }
-    run::run(job, &mut Watch::new(teller, counts))
+    run::run(job, &mut Watch::new(teller, counts, resume))
 }
 
 /// Tells a person how a picture comes along.
@@ -51,6 +60,8 @@ pub(super) struct Watch<'w> {
     teller: Teller<'w>,
     /// Whether every count is shown.
     counts: bool,
+    /// The word that continues a picture on the command line in use.
+    resume: &'static str,
     bar: Bar,
 }
 
@@ -59,14 +70,12 @@ struct Bar(ProgressBar);
 
 impl<'w> Watch<'w> {
     /// Watches for a teller.
-    pub(super) fn new(teller: Teller<'w>, counts: bool) -> Self {
-        let hidden = teller.quiet || !teller.terminal.is_there();
-        let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let bar = ProgressBar::with_draw_target(None, target);
+    pub(super) fn new(teller: Teller<'w>, counts: bool, resume: &'static str) -> Self {
+        let bar = ProgressBar::hidden();
         if let Ok(style) = ProgressStyle::with_template(BAR) {
-            bar.set_style(style);
+            bar.set_style(style.with_key("left", left));
         }
-        Self { teller, counts, bar: Bar(bar) }
+        Self { teller, counts, resume, bar: Bar(bar) }
     }
 }
 
@@ -104,9 +113,14 @@ impl Report for Watch<'_> {
     fn parsing(&mut self) {}
 
     fn rendering(&mut self, job: &Job, _: Duration, _: Duration) {
-        self.bar.0.reset();
-        self.bar.0.set_message(job.input.clone());
-        self.bar.advance(0, job.render.region.area());
+        let (name, bar) = (&job.language.input_file_name, &self.bar.0);
+        // Drawn only once it is complete.
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+        bar.reset();
+        bar.set_length(job.render.region.area());
+        bar.set_message(console::truncate_str(name, NAME, "\u{2026}").into_owned());
+        bar.set_draw_target(self.teller.bar_target());
+        bar.tick();
     }
 
     fn progress(&self) -> &dyn Progress {
@@ -126,17 +140,14 @@ impl Report for Watch<'_> {
     }
 
     fn stopping(&self) -> Stopping {
-        let (bar, quiet) = (self.bar.0.clone(), self.teller.quiet);
+        let (bar, quiet, resume) = (self.bar.0.clone(), self.teller.quiet, self.resume);
         Box::new(move |err, state| {
             bar.finish_and_clear();
             if quiet {
                 return;
             }
             let rest = state.map(|state| {
-                format!(
-                    "; what is done is in {}: the same command with `--continue` goes on",
-                    state.display()
-                )
+                format!("; what is done is in {}: the same command with `{resume}` goes on", state.display())
             });
             let _ = writeln!(err, "povista: stopped{}", rest.unwrap_or_default());
         })
@@ -173,6 +184,13 @@ impl Report for Watch<'_> {
             text.push_str(&format!("  rays: {}\n", rays.join(" \u{b7} ")));
         }
         self.teller.line(text.trim_end());
+    }
+}
+
+/// The time a picture will still take, once there is something to judge by.
+fn left(state: &ProgressState, text: &mut dyn fmt::Write) {
+    if state.pos() > 0 {
+        let _ = write!(text, ", {:#} left", HumanDuration(state.eta()));
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::io::Write;
 
+use indicatif::ProgressDrawTarget;
+
 use super::terminal::Terminal;
 use crate::diag::{Diagnostic, Severity, Sink, Stream};
 use crate::source::Sources;
@@ -21,6 +23,15 @@ impl<'w> Teller<'w> {
     /// Tells on standard error.
     pub(super) fn new(err: &'w mut (dyn Write + Send), quiet: bool) -> Self {
         Self { err, terminal: Terminal::of_stderr(), quiet, open_line: false }
+    }
+
+    /// Where a progress bar is drawn; nowhere where nobody watches.
+    pub(super) fn bar_target(&self) -> ProgressDrawTarget {
+        if self.quiet || !self.terminal.is_there() {
+            ProgressDrawTarget::hidden()
+        } else {
+            ProgressDrawTarget::stderr()
+        }
     }
 
     /// Says a thing about the options.

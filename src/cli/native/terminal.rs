@@ -30,7 +30,8 @@ impl Terminal {
     }
 
     fn new(present: bool, terminal: console::Term) -> Self {
-        let plain = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+        let plain = env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
+            || env::var_os("TERM").is_some_and(|term| term == "dumb");
         let columns = present.then(|| usize::from(terminal.size().1).min(WIDEST));
         Self { columns, colors: present && !plain }
     }

@@ -9,13 +9,13 @@ use crate::cli::Problem;
 use crate::math::Gamma;
 use crate::render::film::Image;
 
-/// Encodes a picture; with alpha, colors stay multiplied by it.
+/// Encodes a picture, whose numbers follow a curve; with alpha, colors stay multiplied by it.
 ///
 /// # Errors
 /// The picture is bigger than the format can say.
-pub(super) fn encode(image: &Image, working: Option<Gamma>, alpha: bool) -> Result<Vec<u8>, Problem> {
+pub(super) fn encode(image: &Image, curve: Gamma, alpha: bool) -> Result<Vec<u8>, Problem> {
     let size = (image.width as usize, image.height as usize);
-    let light = |channel: f32| f16::from_f32(working.map_or(channel, |working| working.decode(channel)));
+    let light = |channel: f32| f16::from_f32(curve.decode(channel));
     let pixel = |Vec2(x, y): Vec2<usize>| image.pixels[y * size.0 + x];
     let mut bytes = Cursor::new(Vec::new());
     let written = if alpha {

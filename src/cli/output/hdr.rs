@@ -13,15 +13,15 @@ const SINGLES: usize = 128;
 /// Runs shorter than this cost more than they save.
 const WORTHWHILE: usize = 3;
 
-/// Encodes a picture, without alpha.
-pub(super) fn encode(image: &Image, working: Option<Gamma>) -> Vec<u8> {
+/// Encodes a picture, whose numbers follow a curve, without alpha.
+pub(super) fn encode(image: &Image, curve: Gamma) -> Vec<u8> {
     let mut bytes = format!(
         "#?RADIANCE\nSOFTWARE=povista\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n",
         image.height, image.width
     )
     .into_bytes();
     for row in image.pixels.chunks(image.width as usize) {
-        let row: Vec<[u8; 4]> = row.iter().map(|pixel| shared_exponent(light(*pixel, working))).collect();
+        let row: Vec<[u8; 4]> = row.iter().map(|pixel| shared_exponent(light(*pixel, curve))).collect();
         if PACKED.contains(&image.width) {
             bytes.extend([2, 2]);
             bytes.extend((image.width as u16).to_be_bytes());
@@ -36,8 +36,8 @@ pub(super) fn encode(image: &Image, working: Option<Gamma>) -> Vec<u8> {
 }
 
 /// A pixel's light.
-fn light([red, green, blue, _]: [f32; 4], working: Option<Gamma>) -> [f32; 3] {
-    [red, green, blue].map(|channel| working.map_or(channel, |working| working.decode(channel)))
+fn light([red, green, blue, _]: [f32; 4], curve: Gamma) -> [f32; 3] {
+    [red, green, blue].map(|channel| curve.decode(channel))
 }
 
 /// Three mantissas and the exponent they share.

@@ -52,6 +52,8 @@ pub struct Encoding {
 /// # Errors
 /// The format cannot hold a picture of this size.
 pub fn encode(image: &Image, working: Option<Gamma>, encoding: &Encoding) -> Result<Vec<u8>, Problem> {
+    // What an old scene's author saw on a display was light there.
+    let light = working.unwrap_or(encoding.display_gamma);
     match encoding.format {
         Format::Png => png::encode(&Samples::new(image, working, encoding), working, encoding),
         Format::Ppm => Ok(ppm::encode(&Samples::new(image, working, encoding), encoding)),
@@ -59,8 +61,8 @@ pub fn encode(image: &Image, working: Option<Gamma>, encoding: &Encoding) -> Res
         Format::CompressedTarga => targa::encode(&Samples::new(image, working, encoding), true),
         Format::Bmp => bmp::encode(&Samples::new(image, working, encoding)),
         Format::Jpeg => jpeg::encode(&Samples::new(image, working, encoding), encoding.quality),
-        Format::Hdr => Ok(hdr::encode(image, working)),
-        Format::Exr => exr::encode(image, working, encoding.alpha),
+        Format::Hdr => Ok(hdr::encode(image, light)),
+        Format::Exr => exr::encode(image, light, encoding.alpha),
     }
 }
 

@@ -183,6 +183,10 @@ fn hdr_holds_light_and_ignores_the_curve_of_the_file() {
     let wide = encoded(&flat([0.45, 0.26, 0.7, 1.0], 9, 1), &encoding(Format::Hdr));
     assert!(wide.ends_with(&[2, 2, 0, 9, 0x89, 0x73, 0x89, 0x42, 0x89, 0xb3, 0x89, 0x80]));
 
+    // An old scene's `rgb <0.5, 0.25, 0.7>` is light as the display makes it.
+    let old = encode(&flat(PROBE, 9, 1), None, &encoding(Format::Hdr)).expect("an HDR");
+    assert!(old.ends_with(&[2, 2, 0, 9, 0x89, 0x6d, 0x89, 0x1a, 0x89, 0xe5, 0x89, 0x7f]));
+
     let image = busy(40, 3);
     let bytes = encoded(&image, &encoding(Format::Hdr));
     let decoded =
