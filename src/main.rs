@@ -14,7 +14,32 @@ fn main() -> ExitCode {
         eprintln!("povista: a mistake of povista's own, not of the scene; please report it with the scene");
         report(panic);
     }));
-    // Without a handler the program ends as well, only with less to say about it.
-    let _ = ctrlc::set_handler(|| std::process::exit(i32::from(povista::cli::stop(&mut io::stderr()))));
+    heed_stops();
     ExitCode::from(povista::cli::main(std::env::args_os(), &mut io::stdout(), &mut io::stderr()))
+}
+
+/// Ends the program as a stop asks for when the user, or the system, wishes it to stop.
+///
+/// Where that cannot be heeded the program ends as well, only with less to say about it.
+#[cfg(unix)]
+fn heed_stops() {
+    use signal_hook::consts::{SIGINT, SIGQUIT, SIGTERM};
+
+    if let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGINT, SIGQUIT, SIGTERM]) {
+        std::thread::spawn(move || {
+            if signals.forever().next().is_some() {
+                stop();
+            }
+        });
+    }
+}
+
+/// Ends the program as a stop asks for when the user wishes it to stop.
+#[cfg(not(unix))]
+fn heed_stops() {
+    let _ = ctrlc::set_handler(stop);
+}
+
+fn stop() {
+    std::process::exit(i32::from(povista::cli::stop(&mut io::stderr())));
 }

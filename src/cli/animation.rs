@@ -60,7 +60,7 @@ impl Animation {
             None => fallback,
         };
         let start = frame(settings.float(Name::SubsetStartFrame), first).max(first);
-        let end = frame(settings.float(Name::SubsetEndFrame), uncycled).max(start).min(uncycled);
+        let end = frame(settings.float(Name::SubsetEndFrame), uncycled).max(start);
         Self::Series(Series {
             first,
             last,
@@ -144,6 +144,8 @@ mod tests {
             ("+KFF10 +SF4 +EF5", &[("04", 0.3333333433), ("05", 0.4444444478)]),
             ("+KFF10 +SF0.3 +EF0.5", &[("03", 0.2222222239), ("04", 0.3333333433), ("05", 0.4444444478)]),
             ("+KFF10 +STP4", &[("01", 0.0), ("05", 0.4444444478), ("09", 0.8888888955)]),
+            ("+KFF12 +SF20", &[("20", 1.7272727489)]),
+            ("+KFF3 +KC +SF3 +EF5", &[("3", 0.6666666865), ("4", 1.0), ("5", 1.3333333731)]),
             ("+KFI8 +KFF10", &[("08", 0.0), ("09", 0.5), ("10", 1.0)]),
             ("+KFI0 +KFF2", &[("0", 0.0), ("1", 0.5), ("2", 1.0)]),
         ];

@@ -51,20 +51,30 @@ pub struct Difference {
 pub fn read(path: &Path) -> Result<DynamicImage, Problem> {
     let cannot =
         |error: &dyn fmt::Display| Problem::new(format!("cannot read `{}`: {error}", path.display()));
-    image::ImageReader::open(path)
+    let reader = image::ImageReader::open(path)
         .map_err(|error| cannot(&error))?
         .with_guessed_format()
-        .map_err(|error| cannot(&error))?
-        .decode()
-        .map_err(|error| cannot(&error))
+        .map_err(|error| cannot(&error))?;
+    reader.decode().map_err(|error| match error {
+        image::ImageError::Unsupported(_) => cannot(&"it is no picture of a kind povista knows"),
+        error => cannot(&error),
+    })
 }
 
-/// Writes a picture as PNG, or as the format of its file's extension.
+/// Writes a picture in the format of its file's extension, or as PNG where there is none.
 ///
 /// # Errors
-/// The file cannot be written.
+/// The file cannot be written, or there is no such format.
 pub fn write(picture: &RgbImage, path: &Path) -> Result<(), Problem> {
-    let format = image::ImageFormat::from_path(path).unwrap_or(image::ImageFormat::Png);
+    let format = match path.extension() {
+        None => image::ImageFormat::Png,
+        Some(extension) => image::ImageFormat::from_extension(extension)
+            .filter(|format| format.writing_enabled())
+            .ok_or_else(|| {
+                Problem::new(format!("povista writes no `.{}` files", extension.to_string_lossy()))
+                    .help("name a `.png`")
+            })?,
+    };
     let mut bytes = std::io::Cursor::new(Vec::new());
     let cannot =
         |error: &dyn fmt::Display| Problem::new(format!("cannot write `{}`: {error}", path.display()));

@@ -9,8 +9,8 @@ use std::sync::Arc;
 use super::Unsupported;
 use super::texture::TextureCompiler;
 use crate::math::{DVec2, Gamma, Rgb, Rgbft};
-use crate::scene::image::{FileGamma, ImageOrigin, ImageSource, PaletteSetting};
-use crate::scene::settings::{AssumedGamma, Settings};
+use crate::scene::image::{ImageOrigin, ImageSource, PaletteSetting};
+use crate::scene::settings::Settings;
 use crate::scene::{self, Function};
 use crate::world::image::{Image, ImageMap, Interpolation, Pixels, Projection};
 use file::{Decoded, Native, Raw};
@@ -202,14 +202,10 @@ fn coarse_grey(v: f32) -> f32 {
 /// (docs/spec/patterns-textures.md 6.4).
 fn curve(
     native: Native,
-    written: Option<FileGamma>,
+    written: Option<Gamma>,
     purpose: Use,
     settings: &Settings,
 ) -> Option<(Gamma, Gamma)> {
-    let written = written.map(|gamma| match gamma {
-        FileGamma::Srgb => Gamma::Srgb,
-        FileGamma::Power(exponent) => Gamma::Power(exponent as f32),
-    });
     if purpose == Use::Number {
         return written.map(|from| (from, Gamma::LINEAR));
     }
@@ -217,8 +213,7 @@ fn curve(
     let working = match settings.assumed_gamma {
         None if old => return None,
         None => Gamma::LINEAR,
-        Some(AssumedGamma::Srgb) => Gamma::Srgb,
-        Some(AssumedGamma::Power(exponent)) => Gamma::Power(exponent),
+        Some(given) => given,
     };
     let from = match (written, native) {
         (Some(written), _) => written,

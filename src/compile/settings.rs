@@ -2,17 +2,12 @@
 
 use crate::math::gamma::Gamma;
 use crate::scene;
-use crate::scene::settings::AssumedGamma;
 use crate::world::Settings;
 
 /// The settings the renderer needs.
 pub fn settings(settings: &scene::Settings) -> Settings {
     let version = settings.effective_version();
-    let working_gamma = match settings.assumed_gamma {
-        Some(AssumedGamma::Srgb) => Some(Gamma::Srgb),
-        Some(AssumedGamma::Power(exponent)) => Some(Gamma::Power(exponent)),
-        None => (version >= 370).then_some(Gamma::LINEAR),
-    };
+    let working_gamma = settings.assumed_gamma.or((version >= 370).then_some(Gamma::LINEAR));
     Settings {
         version,
         adc_bailout: settings.adc_bailout,
@@ -34,7 +29,7 @@ mod tests {
         assert_eq!((old.version, old.working_gamma), (362, None));
         let new = settings(&scene::Settings { version: Some(370), ..scene::Settings::default() });
         assert_eq!(new.working_gamma, Some(Gamma::LINEAR));
-        let assumed_gamma = Some(AssumedGamma::Power(2.2));
+        let assumed_gamma = Some(Gamma::Power(2.2));
         let given = settings(&scene::Settings { assumed_gamma, ..scene::Settings::default() });
         assert_eq!(given.working_gamma, Some(Gamma::Power(2.2)));
     }

@@ -44,8 +44,11 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
     let interiors = interiors(&mut flat, &mut textures, &mut lacking);
     let surfaces = surfaces(&mut flat, &mut textures, &mut lacking);
     // Without the setting a finish with `subsurface` is shaded as any other.
-    if scene.settings.subsurface.is_some() && textures.uses_subsurface && options.quality >= 9 {
-        lacking.push(Unsupported::new(scene.camera.span, "subsurface"));
+    if let Some(subsurface) = &scene.settings.subsurface
+        && textures.uses_subsurface
+        && options.quality >= 9
+    {
+        lacking.push(Unsupported::new(subsurface.span, "subsurface"));
     }
     let needs = needs::needs(&flat, &textures, &interiors);
     let lights =
@@ -68,12 +71,11 @@ pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
 
 /// Light that travels in ways povista doesn't follow yet.
 fn lack_of_settings(scene: &Scene, lacking: &mut Vec<Unsupported>) {
-    let place = scene.camera.span;
-    if scene.settings.radiosity.is_some() {
-        lacking.push(Unsupported::new(place, "radiosity"));
+    if let Some(radiosity) = &scene.settings.radiosity {
+        lacking.push(Unsupported::new(radiosity.span, "radiosity"));
     }
-    if scene.settings.photons.is_some() {
-        lacking.push(Unsupported::new(place, "photons"));
+    if let Some(photons) = &scene.settings.photons {
+        lacking.push(Unsupported::new(photons.span, "photons"));
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::Function;
-use crate::math::DVec2;
+use crate::math::{DVec2, Gamma};
 use crate::source::Span;
 
 /// Where pixels come from. The file is named here and decoded by `compile`, once, if it is needed.
@@ -15,7 +15,7 @@ pub struct ImageSource {
     /// File or function.
     pub origin: ImageOrigin,
     /// `gamma` after the file name.
-    pub gamma: Option<FileGamma>,
+    pub gamma: Option<Gamma>,
     /// `premultiplied` after the file name.
     pub premultiplied: Option<bool>,
 }
@@ -60,15 +60,6 @@ pub enum ImageFormat {
     Iff,
     Sys,
     Pot,
-}
-
-/// The transfer curve the user says a file has.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum FileGamma {
-    /// `gamma srgb`.
-    Srgb,
-    /// `gamma G`.
-    Power(f64),
 }
 
 /// The inside of `image_map`, `bump_map`, `image_pattern` and `material_map`.

@@ -1,6 +1,7 @@
 //! `global_settings` (docs/spec/language.md 6.16).
 
-use crate::math::Rgb;
+use crate::math::{Gamma, Rgb};
+use crate::source::Span;
 
 /// Settings of the whole scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,7 +10,7 @@ pub struct Settings {
     /// the renderer then behaves as 362 (docs/spec/language.md 2.11).
     pub version: Option<u32>,
     /// `assumed_gamma`, where written.
-    pub assumed_gamma: Option<AssumedGamma>,
+    pub assumed_gamma: Option<Gamma>,
     /// Weight under which rays are not traced.
     pub adc_bailout: f32,
     /// Multiplies every `ambient`.
@@ -32,18 +33,11 @@ pub struct Settings {
     pub photons: Option<PhotonSettings>,
 }
 
-/// The working space of colours.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum AssumedGamma {
-    /// `assumed_gamma srgb`.
-    Srgb,
-    /// A power; 1 is linear.
-    Power(f32),
-}
-
 /// `global_settings { subsurface { … } }`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SubsurfaceSettings {
+    /// Where it was written.
+    pub span: Span,
     /// Diffuse and single scattering samples.
     pub samples: [u32; 2],
     /// Uses radiosity.
@@ -54,6 +48,7 @@ pub struct SubsurfaceSettings {
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the language's own words")]
 pub struct RadiositySettings {
+    pub span: Span,
     pub adc_bailout: f32,
     pub always_sample: bool,
     pub brightness: f32,
@@ -79,6 +74,7 @@ pub struct RadiositySettings {
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the language's own words")]
 pub struct PhotonSettings {
+    pub span: Span,
     pub spacing: f32,
     pub count: Option<u32>,
     pub gather: [u32; 2],
@@ -126,6 +122,7 @@ impl Settings {
 impl Default for RadiositySettings {
     fn default() -> Self {
         Self {
+            span: Span::default(),
             adc_bailout: 0.01,
             always_sample: false,
             brightness: 1.0,
@@ -152,6 +149,7 @@ impl Default for RadiositySettings {
 impl Default for PhotonSettings {
     fn default() -> Self {
         Self {
+            span: Span::default(),
             spacing: 1.0,
             count: None,
             gather: [20, 100],

@@ -96,6 +96,11 @@ fn pictures_are_compared() {
     assert_eq!(size(&desk.path("heat.png")), (16, 12));
 
     assert_eq!(desk.povista("diff a.png missing.png").code, Some(1));
+    assert_eq!(desk.povista("diff a.png b.png -o heat.xyz").code, Some(1));
+    assert_eq!(desk.povista("a.pov -o c.png --size 12x16").code, Some(0));
+    let sizes = desk.povista("diff a.png c.png");
+    assert_eq!(sizes.code, Some(1));
+    assert!(sizes.err.contains("differ in size: 16 by 12 and 12 by 16"), "{}", sizes.err);
     assert_eq!(desk.povista("diff a.png a.pov").code, Some(1));
 }
 
@@ -112,6 +117,12 @@ fn a_scene_is_compared_with_povray() {
     let absent = desk.povista("compare a.pov --povray ./no-such-program");
     assert_eq!(absent.code, Some(1));
     assert!(absent.err.contains("install POV-Ray"), "{}", absent.err);
+    desk.write("bad.pov", "sphere { foo }");
+    let bad = desk.povista("compare bad.pov");
+    assert_eq!(bad.code, Some(1));
+    assert!(bad.err.contains("File 'bad.pov' line 1: Parse Error: "), "{}", bad.err);
+    assert!(!bad.err.contains("Graphic display"), "{}", bad.err);
+    assert_eq!(desk.povista("compare nowhere.pov").code, Some(1));
 }
 
 #[test]
@@ -119,12 +130,14 @@ fn what_is_not_supported_yet_is_an_error_until_skipped() {
     let desk = Desk::new();
     desk.write(
         "m.pov",
-        "#version 3.7;\nglobal_settings { assumed_gamma 1 photons { count 100 } }\nsphere { z*3, 1 }\n",
+        "#version 3.7;\nglobal_settings {\n  assumed_gamma 1\n  photons { count 100 }\n}\nsphere { z*3, 1 }\n",
     );
     let refused = desk.povista("m.pov --size 8x8");
     assert_eq!(refused.code, Some(1), "{}", refused.err);
     assert!(
-        refused.err.contains("not supported yet: ") && refused.err.contains("--skip-unsupported"),
+        refused.err.contains("not supported yet: ")
+            && refused.err.contains("--skip-unsupported")
+            && refused.err.contains("m.pov:4:3"),
         "{}",
         refused.err
     );
@@ -162,6 +175,7 @@ fn bad_words_end_with_one() {
         "a.pov --size 0x0",
         "a.pov --threads x",
         "frobnicate",
+        "rendr a.pov",
         "a.pov --rows 5-3000",
         "check",
         "check nowhere.pov",

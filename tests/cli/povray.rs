@@ -33,6 +33,21 @@ fn exit_codes_and_files_are_those_of_povray() {
         ("a.pov +Omissing/a.png", 1, &[]),
         ("a.pov +KFF3", 0, &["a1.png", "a2.png", "a3.png"]),
         ("a.pov +KFF10 +SF4 +EF5", 0, &["a04.png", "a05.png"]),
+        ("a.pov +KFF12 +SF20", 0, &["a20.png"]),
+        ("a.pov +KFF3 +KC +EF4", 0, &["a1.png", "a2.png", "a3.png", "a4.png"]),
+        ("a.pov +KFF3 +SF2 +EF1", 0, &["a2.png"]),
+        ("a.pov +KFI3 +KFF1", 0, &["a3.png"]),
+        ("a.pov +KFF3 +STP0", 0, &["a1.png", "a2.png", "a3.png"]),
+        ("Input_File_Name=a.pov Output_File_Name=x.png", 0, &["x.png"]),
+        ("input_file_name=\"a.pov\" Output_to_file=off", 0, &[]),
+        ("a.pov Output_File_Type=png", 0, &["a.ppm"]),
+        ("a.pov nope.pov +Ia.pov", 0, &["a.png"]),
+        ("a.pov +FTg", 1, &[]),
+        ("a.pov +Oa.pov/x", 1, &[]),
+        ("a.pov Include_Ini=empty.ini", 0, &["a.png"]),
+        ("a.pov +HInope.inc", 1, &[]),
+        ("a.pov x=y.pov", 1, &[]),
+        ("a.pov -", 1, &[]),
         ("a.pov Foo=1", 1, &[]),
         ("nope.ini", 1, &[]),
     ];
@@ -267,6 +282,7 @@ fn asking_for_version_or_help_is_a_success() {
     for word in ["--version", "-version", "--V", "--help", "-help", "-h", "-?"] {
         let answer = desk.povray(word);
         assert_eq!(answer.code, Some(0), "{word}");
+        assert_eq!(desk.povray(&format!("+W8 a.pov {word}")).code, Some(0), "{word}");
         assert!(answer.err.contains("povista") || answer.err.contains("povray"), "{word}");
     }
 }

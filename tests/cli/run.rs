@@ -26,7 +26,7 @@ fn a_stopped_picture_is_continued_to_the_same_bytes() {
     let whole = fs::read(&picture).unwrap();
     assert!(!state.exists());
 
-    for signal in ["-INT", "-TERM"] {
+    for signal in ["-INT", "-QUIT", "-TERM"] {
         fs::remove_file(&picture).unwrap();
         let mut child = Command::new(desk.path("povray"))
             .args(words)

@@ -25,6 +25,20 @@ pub(super) fn compare(arguments: &Compare, out: &mut dyn Write) -> Result<(), Fa
         arguments.scene.scene.as_deref().filter(|scene| *scene != "-").ok_or_else(|| {
             Problem::new("no scene to compare").help("name one: `povista compare scene.pov`")
         })?;
+    let scene = &existing(scene)?;
+    // Better to know now that there is no POV-Ray than after an hour.
+    let absent = |error| {
+        Problem::new(format!("cannot run `{}`: {error}", name_of(&arguments.povray))).help(
+            "install POV-Ray (Debian: `apt install povray povray-includes`), or name it with `--povray`",
+        )
+    };
+    Command::new(&arguments.povray)
+        .arg("--version")
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status()
+        .map_err(absent)?;
     let folder = tempfile::tempdir()
         .map_err(|error| Problem::new(format!("cannot make a temporary folder: {error}")))?;
     let povista =
@@ -92,23 +106,31 @@ fn time(program: &Path, scene: &str, words: &[String], picture: &Path) -> Result
     let Output { status, stderr, .. } = Command::new(program)
         .arg(format!("+I\"{scene}\""))
         .args(words)
-        .args(["+FN8", "-D", "-P", "-C"])
+        .args(["+FN8", "-D", "-P", "-C", "-V", "-GR", "-GS"])
         .arg(format!("+O\"{}\"", picture.display()))
         .stdin(Stdio::null())
         .output()
-        .map_err(|error| {
-            Problem::new(format!("cannot run `{name}`: {error}")).help(
-                "install POV-Ray (Debian: `apt install povray povray-includes`), or name it with `--povray`",
-            )
-        })?;
+        .map_err(|error| Problem::new(format!("cannot run `{name}`: {error}")))?;
     let time = start.elapsed();
     if status.success() {
         return Ok(time);
     }
     let text = String::from_utf8_lossy(&stderr);
     let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
-    let last = &lines[lines.len().saturating_sub(LAST_LINES)..];
-    Err(Problem::new(format!("`{name}` gave no picture; it said\n{}", last.join("\n"))))
+    // What comes before the scene is read is about the program.
+    let parsing = lines.iter().position(|line| line.contains("[Parsing...]")).map_or(0, |at| at + 1);
+    let said = &lines[parsing.max(lines.len().saturating_sub(LAST_LINES))..];
+    let said = if said.is_empty() { "nothing".to_owned() } else { format!("\n{}", said.join("\n")) };
+    Err(Problem::new(format!("`{name}` gave no picture ({status}); it said {said}")))
+}
+
+/// The scene, if it is there as it is named or with the extension left out.
+fn existing(scene: &str) -> Result<String, Problem> {
+    let names = [scene.to_owned(), format!("{scene}.pov")];
+    names
+        .into_iter()
+        .find(|name| Path::new(name).is_file())
+        .ok_or_else(|| Problem::new(format!("cannot find the scene `{scene}`")))
 }
 
 /// A program's name without its folder.

@@ -40,9 +40,14 @@ pub(super) fn main(
     out: &mut (dyn Write + Send),
     err: &mut (dyn Write + Send),
 ) -> u8 {
+    let words = arguments.clone();
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(answer) => {
+            if let Some(problem) = misspelt(&words) {
+                tell(&problem, err);
+                return exit::FAILURE;
+            }
             let good = answer.exit_code() == 0;
             // Help was asked for, so it goes where answers go.
             let text = if Terminal::of_stderr().is_there() && Terminal::of_stdout().is_there() {
@@ -100,6 +105,14 @@ fn run(
             Ok(true)
         }
     }
+}
+
+/// Tells whether a command line that makes no sense begins with nearly a command.
+fn misspelt(words: &[OsString]) -> Option<Problem> {
+    let first = words.get(1)?.to_str().filter(|first| !first.starts_with('-') && !first.contains('.'))?;
+    let near = COMMANDS.into_iter().find(|command| strsim::damerau_levenshtein(first, command) <= 2)?;
+    let command = Problem::new(format!("there is no command `{first}`"));
+    (near != first).then(|| command.help(format!("did you mean `{near}`?")))
 }
 
 /// Tells a problem and what may help.

@@ -52,7 +52,6 @@ const BAYER_4: [[u8; 4]; 4] = [[1, 9, 3, 11], [13, 5, 15, 7], [4, 12, 2, 10], [1
 pub(super) struct Ditherer {
     method: Dither,
     channels: usize,
-    width: usize,
     column: usize,
     row: usize,
     /// Errors for the rest of this row, by column and channel; a spare column stands at each end.
@@ -64,26 +63,16 @@ pub(super) struct Ditherer {
 }
 
 impl Ditherer {
-    /// Starts before the top-left corner of a picture.
+    /// Starts before the first pixel of a picture.
     pub(super) fn new(method: Dither, width: u32, channels: usize) -> Self {
-        let width = width as usize;
-        let row = vec![0.0; (width + 2) * channels];
+        let row = vec![0.0; (width as usize + 2) * channels];
         let pending = vec![0.0; channels];
-        Self { method, channels, width, column: width, row: 0, this: row.clone(), next: row, pending }
+        Self { method, channels, column: 0, row: 0, this: row.clone(), next: row, pending }
     }
 
-    /// Goes on to the next pixel.
-    pub(super) fn advance(&mut self) {
-        // Before the first pixel of all, column and width are equal and the row is not yet counted.
-        if self.column == self.width {
-            self.column = 0;
-        } else {
-            self.column += 1;
-            if self.column == self.width {
-                self.column = 0;
-                self.row += 1;
-            }
-        }
+    /// Goes on to the next pixel, which is at this place: rows follow each other in either direction.
+    pub(super) fn go_to(&mut self, column: usize, row: usize) {
+        (self.column, self.row) = (column, row);
         if self.method == Dither::Next {
             return;
         }

@@ -42,20 +42,26 @@ impl Samples {
         // The table pays from some thousand pixels on, and only while it is small.
         let many = bits <= 8 && image.pixels.len() > 4096;
         let steps = (many && ditherer.is_none()).then(|| Steps::new(curve, bits));
-        let mut values = Vec::with_capacity(image.pixels.len() * channels);
-        for pixel in &image.pixels {
-            let (color, opacity) = stored(*pixel, grey, alpha);
-            if let Some(ditherer) = &mut ditherer {
-                ditherer.advance();
-            }
-            for (channel, value) in color[..colors].iter().chain(alpha.then_some(&opacity)).enumerate() {
-                let colored = channel < colors;
-                let curve = if colored { curve } else { Curve::NONE };
-                values.push(match (&mut ditherer, &steps) {
-                    (None, Some(steps)) if colored => steps.round(*value),
-                    (None, _) => round(curve.encode(*value), bits),
-                    (Some(ditherer), _) => ditherer.round(*value, channel, bits, curve),
-                });
+        let mut values = vec![0; image.pixels.len() * channels];
+        let (width, height) = (image.width as usize, image.height as usize);
+        for row in 0..height {
+            // A bitmap is written from its last row to its first, and errors are spread on the way.
+            let row = if encoding.format == Format::Bmp { height - 1 - row } else { row };
+            for (column, index) in (row * width..(row + 1) * width).enumerate() {
+                let (color, opacity) = stored(image.pixels[index], grey, alpha);
+                if let Some(ditherer) = &mut ditherer {
+                    ditherer.go_to(column, row);
+                }
+                let numbers = color[..colors].iter().chain(alpha.then_some(&opacity));
+                for (channel, value) in numbers.enumerate() {
+                    let colored = channel < colors;
+                    let curve = if colored { curve } else { Curve::NONE };
+                    values[index * channels + channel] = match (&mut ditherer, &steps) {
+                        (None, Some(steps)) if colored => steps.round(*value),
+                        (None, _) => round(curve.encode(*value), bits),
+                        (Some(ditherer), _) => ditherer.round(*value, channel, bits, curve),
+                    };
+                }
             }
         }
         Self { width: image.width, height: image.height, channels, bits, values }

@@ -236,6 +236,26 @@ fn dithering_spreads_as_povray_spreads() {
     }
 }
 
+/// POV-Ray writes bitmaps from the last row to the first and spreads errors that way; its Bayer patterns stay.
+#[test]
+fn errors_rise_in_a_bitmap() {
+    let image = busy(6, 5);
+    let flipped = |rows: usize, pixels: &[[f32; 4]]| -> Vec<[f32; 4]> {
+        pixels.chunks(pixels.len() / rows).rev().flatten().copied().collect()
+    };
+    let values = |image: &Image, format: Format, method: &str| {
+        let encoding = Encoding { dither: Dither::of_name(method), ..encoding(format) };
+        Samples::new(image, Some(Gamma::LINEAR), &encoding).values
+    };
+    let upside_down = Image { pixels: flipped(5, &image.pixels), ..image.clone() };
+    for method in ["D1", "D2", "FS"] {
+        let risen: Vec<u16> =
+            values(&upside_down, Format::Png, method).chunks(6 * 3).rev().flatten().copied().collect();
+        assert_eq!(values(&image, Format::Bmp, method), risen, "{method}");
+    }
+    assert_eq!(values(&image, Format::Bmp, "B3"), values(&image, Format::Png, "B3"));
+}
+
 #[test]
 fn numbers_outside_the_range_and_no_numbers_at_all_are_stored_as_something() {
     for format in

@@ -48,11 +48,11 @@ Usage: povray [+/-SWITCH ...] [Option=value ...] [FILE.ini[section] ...] SCENE.p
 ///
 /// Text is POV-Ray's, in plain ASCII, for programs that read it.
 pub(super) fn main(words: &[String], err: &mut (dyn Write + Send)) -> u8 {
-    let answer = match words.first().map(String::as_str) {
-        Some("--version" | "-version" | "--V") => Some(VERSION),
-        Some("--help" | "-help" | "-h" | "-?") => Some(HELP),
+    let answer = words.iter().find_map(|word| match word.as_str() {
+        "--version" | "-version" | "--V" => Some(VERSION),
+        "--help" | "-help" | "-h" | "-?" => Some(HELP),
         _ => None,
-    };
+    });
     if let Some(answer) = answer {
         let _ = err.write_all(answer.as_bytes());
         return exit::SUCCESS;

@@ -13,7 +13,7 @@ pub fn read(word: &str, settings: &mut Settings) -> Result<(), Problem> {
         return read_switches(word, settings);
     }
     match word.split_once('=') {
-        Some((name, value)) if !is_scene(word) => {
+        Some((name, value)) => {
             let option = Name::find(name).ok_or_else(|| unknown(name))?;
             let value = match value::quoted(value) {
                 Some((inside, "")) => inside,
@@ -113,6 +113,7 @@ mod tests {
         let rows: &[(&[&str], &str)] = &[
             (&["Width=103.99"], "Width=103"),
             (&["width=\" 7\""], "Width=7"),
+            (&["Input_File_Name=a.pov"], "Input_File_Name=\"a.pov\""),
             (&["Antialias=ON", "-A"], "Antialias=Off"),
             (&["-A", "antialias=1"], "Antialias=On"),
             (&["Antialias=2"], "Antialias=Off"),
@@ -137,6 +138,7 @@ mod tests {
     fn words_povray_refuses_are_refused() {
         let refused = [
             "Foo=1",
+            "a=b.pov",
             "Width=",
             "Width=abc",
             "Quality=abc",

@@ -164,9 +164,14 @@ impl Name {
         TABLE[self as usize].2
     }
 
+    /// Every option.
+    pub fn all() -> impl Iterator<Item = Self> {
+        TABLE.iter().map(|row| row.0)
+    }
+
     /// The options of a kind.
     pub fn of_kind(kind: Kind) -> impl Iterator<Item = Self> {
-        TABLE.iter().filter(move |row| row.2 == kind).map(|row| row.0)
+        Self::all().filter(move |name| name.kind() == kind)
     }
 
     /// The known name nearest to a misspelt one.

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::interp::stream::TokenKind;
 use crate::interp::{Result, Vm, Word};
-use crate::math::DVec2;
-use crate::scene::image::{FileGamma, ImageFormat, ImageMap, ImageOrigin, ImageSource, PaletteSetting};
+use crate::math::{DVec2, Gamma};
+use crate::scene::image::{ImageFormat, ImageMap, ImageOrigin, ImageSource, PaletteSetting};
 use crate::source::{FileKind, Span};
 
 /// What an image is for: decides what may be said about it.
@@ -129,9 +129,9 @@ pub(super) fn source(vm: &mut Vm<'_>, usage: Usage) -> Result<ImageSource> {
             Some(Word::Gamma) => {
                 vm.next()?;
                 source.gamma = Some(if vm.accept(Word::Srgb)? {
-                    FileGamma::Srgb
+                    Gamma::Srgb
                 } else {
-                    FileGamma::Power(vm.read_float()?)
+                    Gamma::Power(vm.read_float()? as f32)
                 });
             }
             Some(Word::Premultiplied) => source.premultiplied = Some(vm.after_word(Vm::read_flag)?),

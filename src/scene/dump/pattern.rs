@@ -1,9 +1,9 @@
 //! Patterns, warps and images.
 
 use super::block::Block;
-use super::value::{number, switch, transform, vec2, vec3};
+use super::value::{self, number, switch, transform, vec2, vec3};
 use super::{function, object, texture};
-use crate::scene::image::{FileGamma, ImageMap, ImageOrigin, ImageSource, PaletteSetting};
+use crate::scene::image::{ImageMap, ImageOrigin, ImageSource, PaletteSetting};
 use crate::scene::pattern::{BlackHole, Fractal, FractalKind, Slope, Warp, Wave};
 use crate::scene::{Field, Pattern};
 
@@ -202,9 +202,6 @@ pub(super) fn image_source(source: &ImageSource) -> Block {
             Block::new("image").line(format!("{width}, {height}")).block(function::dump(function))
         }
     };
-    let gamma = source.gamma.map(|gamma| match gamma {
-        FileGamma::Srgb => "srgb".to_owned(),
-        FileGamma::Power(power) => number(power),
-    });
+    let gamma = source.gamma.map(value::gamma);
     block.optional("gamma", gamma).optional("premultiplied", source.premultiplied.map(switch))
 }

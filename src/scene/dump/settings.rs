@@ -1,15 +1,12 @@
 //! `global_settings`.
 
 use super::block::Block;
-use super::value::{number, rgb, switch};
+use super::value::{self, number, rgb, switch};
 use crate::scene::Settings;
-use crate::scene::settings::{AssumedGamma, PhotonSettings, RadiositySettings};
+use crate::scene::settings::{PhotonSettings, RadiositySettings};
 
 pub(super) fn dump(settings: &Settings) -> Block {
-    let gamma = settings.assumed_gamma.map(|gamma| match gamma {
-        AssumedGamma::Srgb => "srgb".to_owned(),
-        AssumedGamma::Power(power) => number(power),
-    });
+    let gamma = settings.assumed_gamma.map(value::gamma);
     let mut block = Block::new("global_settings")
         .field(
             "version",

@@ -1,6 +1,14 @@
 //! Numbers, vectors, colours and transforms as text.
 
-use crate::math::{DAffine3, DMat3, DVec2, DVec3, DVec4, Rgb, Rgbft, Transform};
+use crate::math::{DAffine3, DMat3, DVec2, DVec3, DVec4, Gamma, Rgb, Rgbft, Transform};
+
+/// A transfer curve.
+pub(super) fn gamma(gamma: Gamma) -> String {
+    match gamma {
+        Gamma::Srgb => "srgb".to_owned(),
+        Gamma::Power(exponent) => number(exponent),
+    }
+}
 
 /// A number with six significant digits; what is nearly zero is zero.
 pub(super) fn number(value: impl Into<f64>) -> String {

@@ -5,8 +5,8 @@ mod radiosity;
 
 use super::color;
 use crate::interp::{Charset, Result, Vm, Word};
-use crate::math::gamma::Gamma;
-use crate::scene::settings::{AssumedGamma, SubsurfaceSettings};
+use crate::math::Gamma;
+use crate::scene::settings::SubsurfaceSettings;
 
 /// Reads the block; its keyword comes next. It may be repeated.
 pub(super) fn block(vm: &mut Vm<'_>) -> Result<()> {
@@ -86,7 +86,7 @@ pub(super) fn max_trace_level(vm: &mut Vm<'_>) -> Result<u32> {
 fn assumed_gamma(vm: &mut Vm<'_>) -> Result<()> {
     let keyword = vm.next()?.span;
     let gamma = if vm.accept(Word::Srgb)? {
-        AssumedGamma::Srgb
+        Gamma::Srgb
     } else {
         let (gamma, place) = vm.located(Vm::read_float)?;
         if gamma <= 0.0 {
@@ -97,17 +97,14 @@ fn assumed_gamma(vm: &mut Vm<'_>) -> Result<()> {
         if gamma < 1.0 {
             vm.possible(place, "an `assumed_gamma` below 1 is unusual", "1 is the physically sensible value");
         }
-        AssumedGamma::Power(gamma as f32)
+        Gamma::Power(gamma as f32)
     };
     if vm.state.settings.assumed_gamma.is_some() {
         vm.warn(keyword, "`assumed_gamma` was set before", "the first value counts");
         return Ok(());
     }
     vm.state.settings.assumed_gamma = Some(gamma);
-    vm.gamma = Some(match gamma {
-        AssumedGamma::Srgb => Gamma::Srgb,
-        AssumedGamma::Power(power) => Gamma::Power(power),
-    });
+    vm.gamma = Some(gamma);
     Ok(())
 }
 
@@ -126,7 +123,8 @@ fn charset(vm: &mut Vm<'_>) -> Result<()> {
 fn subsurface(vm: &mut Vm<'_>) -> Result<()> {
     let block = vm.enter()?;
     let settings = vm.state.settings.subsurface;
-    let mut settings = settings.unwrap_or(SubsurfaceSettings { samples: [50, 50], radiosity: false });
+    let fresh = SubsurfaceSettings { span: block.span, samples: [50, 50], radiosity: false };
+    let mut settings = SubsurfaceSettings { span: block.span, ..settings.unwrap_or(fresh) };
     while let Some(word) = vm.peek_word()? {
         match word {
             Word::Samples => {

@@ -6,7 +6,7 @@ use crate::scene::settings::PhotonSettings;
 /// Reads the block; its keyword comes next. Opened again it starts from the defaults.
 pub(super) fn block(vm: &mut Vm<'_>) -> Result<PhotonSettings> {
     let block = vm.enter()?;
-    let mut settings = PhotonSettings::default();
+    let mut settings = PhotonSettings { span: block.span, ..PhotonSettings::default() };
     while let Some(word) = vm.peek_word()? {
         match word {
             Word::Spacing => settings.spacing = vm.after_word(Vm::read_float)? as f32,

@@ -19,6 +19,7 @@ pub(super) fn block(vm: &mut Vm<'_>) -> Result<()> {
         }
     }
     vm.close(block)?;
+    settings.span = block.span;
     if settings.pretrace_end > settings.pretrace_start {
         return Err(vm.error(block.span, "`pretrace_end` is at most `pretrace_start`"));
     }
