@@ -1,7 +1,18 @@
 //! Compiles images: decodes files and evaluates function images, each once
 //! (docs/spec/patterns-textures.md 6).
 
+mod bmp;
+mod bytes;
+mod exr;
 mod file;
+mod gif;
+mod hdr;
+mod iff;
+mod jpeg;
+mod png;
+mod pnm;
+mod tga;
+mod tiff;
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -130,14 +141,8 @@ impl TextureCompiler<'_> {
                 }
             }
         }
-        Ok(Decoded {
-            width: width as usize,
-            height: height as usize,
-            raw: Raw::Words { channels, data },
-            native: Native::Untouched,
-            premultiplied: false,
-            coarse_grey: false,
-        })
+        let size = [width as usize, height as usize];
+        Ok(Decoded::new(size, Raw::Words { channels, data }, Native::Untouched))
     }
 }
 
@@ -156,13 +161,11 @@ fn convert(decoded: Decoded, source: &ImageSource, purpose: Use, settings: &Sett
     let curve = curve(decoded.native, source.gamma, purpose, settings);
     let light = |stored: f32| curve.map_or(stored, |(from, to)| from.convert(stored, to));
     let (width, height) = (decoded.width, decoded.height);
-    let has_alpha = match &decoded.raw {
-        Raw::Bytes { channels, .. } | Raw::Words { channels, .. } => channels % 2 == 0,
-        Raw::Floats { alpha, .. } => *alpha,
-        Raw::Palette { .. } => true,
-    };
     let table = |most: u16| -> Box<[f32]> {
-        (0..=most).map(|stored| light(f32::from(stored) / f32::from(most))).collect()
+        let most = f32::from(most);
+        // POV-Ray's steps of single precision.
+        let scale = decoded.white.map_or(1.0, |white| (most / f32::from(white)).recip());
+        (0..=most as u16).map(|stored| light(f32::from(stored) / most / scale)).collect()
     };
     let pixels = match decoded.raw {
         Raw::Bytes { channels, data } if decoded.coarse_grey => {
@@ -174,7 +177,7 @@ fn convert(decoded: Decoded, source: &ImageSource, purpose: Use, settings: &Sett
         }
         Raw::Bytes { channels, data } => Pixels::Bytes { channels, data, curve: table(255) },
         Raw::Words { channels, data } => Pixels::Words { channels, data, curve: table(65535) },
-        Raw::Floats { mut data, .. } => {
+        Raw::Floats(mut data) => {
             for [r, g, b, _] in &mut data {
                 (*r, *g, *b) = (light(*r), light(*g), light(*b));
             }
@@ -182,13 +185,13 @@ fn convert(decoded: Decoded, source: &ImageSource, purpose: Use, settings: &Sett
         }
         Raw::Palette { indices, colors } => {
             let colors = colors.into_iter().map(|color| {
-                let [r, g, b, _] = color.map(|v| light(f32::from(v) / 255.0));
-                let transmit = (1.0 - f64::from(color[3]) / 255.0) as f32;
-                Rgbft { rgb: Rgb::new(r, g, b), filter: 0.0, transmit }
+                let [r, g, b, _] = color.map(light);
+                Rgbft { rgb: Rgb::new(r, g, b), filter: 0.0, transmit: 1.0 - color[3] }
             });
             Pixels::Palette { indices: indices.into(), colors: colors.collect() }
         }
     };
+    let has_alpha = decoded.has_alpha;
     let premultiplied = has_alpha && source.premultiplied.unwrap_or(decoded.premultiplied);
     Image { width, height, pixels, premultiplied, has_alpha }
 }

@@ -1,0 +1,61 @@
+//! `ppm` and `pgm` images: the portable formats, in text or in bytes.
+
+use super::bytes::Bytes;
+use super::file::{Decoded, Fault, Native, Raw, room};
+
+/// Decodes a PPM or PGM, whichever the file says it is.
+pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
+    let mut file = Bytes(bytes);
+    let (channels, text) = match file.take(2)? {
+        b"P2" => (1, true),
+        b"P3" => (3, true),
+        b"P5" => (1, false),
+        b"P6" => (3, false),
+        _ => return Err("it is neither a PPM nor a PGM".into()),
+    };
+    let size = [number(&mut file)?, number(&mut file)?];
+    let white = number(&mut file)?;
+    let (Ok(white), true) = (u16::try_from(white), white > 0) else {
+        return Err(format!("its brightest number is {white}, not 1 to 65535").into());
+    };
+    let wide = white > 255;
+    let count = room(size, channels * if wide { 2 } else { 1 })? * channels;
+    let words: Box<dyn Iterator<Item = Result<u16, Fault>>> = if text {
+        Box::new((0..count).map(|_| Ok(u16::try_from(number(&mut file)?)?)))
+    } else {
+        // One blank ends the header.
+        file.byte()?;
+        let stored = file.take(if wide { 2 * count } else { count })?;
+        let step = if wide { 2 } else { 1 };
+        Box::new(stored.chunks_exact(step).map(|s| Ok(s.iter().fold(0, |n, &b| n << 8 | u16::from(b)))))
+    };
+    let words = words.map(|word| match word {
+        Ok(word) if word > white => Err(format!("{word} is more than its brightest, {white}").into()),
+        word => word,
+    });
+    let raw = if wide {
+        Raw::Words { channels, data: words.collect::<Result<_, _>>()? }
+    } else {
+        Raw::Bytes { channels, data: words.map(|word| word.map(|word| word as u8)).collect::<Result<_, _>>()? }
+    };
+    let full = if wide { u16::MAX } else { 255 };
+    let white = (white != full).then_some(white);
+    Ok(Decoded { white, ..Decoded::new(size, raw, Native::Untouched) })
+}
+
+/// The next number in text, after blanks and comments.
+fn number(file: &mut Bytes<'_>) -> Result<usize, Fault> {
+    while let Some(&byte) = file.0.first() {
+        match byte {
+            b'#' => drop(file.line(b'\n')?),
+            byte if byte.is_ascii_whitespace() => drop(file.byte()?),
+            _ => break,
+        }
+    }
+    let digits = file.0.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let digits = file.take(digits)?;
+    if digits.is_empty() {
+        return Err(if file.0.is_empty() { "the file ends too early" } else { "there is no number" }.into());
+    }
+    Ok(std::str::from_utf8(digits)?.parse()?)
+}
