@@ -5,6 +5,7 @@
 //! - [`parallel`]: several pieces of work at once
 //! - [`process`]: one run of a program under limits of time and memory
 //! - [`program`]: a renderer, and what became of one scene in it
+//! - [`numbers`]: what a scene prints, to the last digit
 //! - [`reading`]: scenes read by povista and not rendered
 //! - [`cache`]: POV-Ray's pictures, kept by the content they depend on
 //! - [`picture`]: 8-bit pixels, the figures of a comparison, the heat map
@@ -19,6 +20,7 @@
 
 pub mod cache;
 pub mod expectations;
+pub mod numbers;
 pub mod parallel;
 pub mod picture;
 pub mod process;

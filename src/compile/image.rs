@@ -227,6 +227,21 @@ fn curve(
     Some((from, working))
 }
 
+/// Pixels across and down.
+///
+/// # Errors
+/// A file that can't be read or decoded.
+pub fn size(source: &ImageSource) -> Result<[u32; 2], Unsupported> {
+    match &source.origin {
+        ImageOrigin::File { format, name, path } => {
+            let decoded = file::read(source.span, *format, name, path)?;
+            // No format has larger numbers.
+            Ok([decoded.width, decoded.height].map(|side| u32::try_from(side).unwrap_or(u32::MAX)))
+        }
+        &ImageOrigin::Function { width, height, .. } => Ok([width, height]),
+    }
+}
+
 /// How a message names a file.
 fn shown(name: &str) -> Cow<'_, str> {
     if name.is_empty() { "the image".into() } else { format!("`{name}`").into() }

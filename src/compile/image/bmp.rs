@@ -61,7 +61,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
             let channels = bits / 8;
             let rows = ordered(pixels.take(line * size[1])?.to_vec(), line);
             let mut data = Vec::with_capacity(size[0] * size[1] * channels);
-            for pixel in rows.chunks_exact(line).flat_map(|row| row[..size[0] * channels].chunks_exact(channels)) {
+            for pixel in
+                rows.chunks_exact(line).flat_map(|row| row[..size[0] * channels].chunks_exact(channels))
+            {
                 data.extend([pixel[2], pixel[1], pixel[0]]);
                 data.extend(&pixel[3..]);
             }
@@ -69,7 +71,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
         }
         // POV-Ray knows no others.
         _ => match DynamicImage::from_decoder(BmpDecoder::new(Cursor::new(bytes))?)? {
-            image if image.color().has_alpha() => Raw::Bytes { channels: 4, data: image.into_rgba8().into_raw() },
+            image if image.color().has_alpha() => {
+                Raw::Bytes { channels: 4, data: image.into_rgba8().into_raw() }
+            }
             image => Raw::Bytes { channels: 3, data: image.into_rgb8().into_raw() },
         },
     };

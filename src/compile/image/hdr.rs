@@ -44,7 +44,8 @@ fn light([r, g, b, exponent]: [u8; 4]) -> [f32; 4] {
 
 fn row(file: &mut Bytes<'_>, width: usize) -> Result<Vec<[u8; 4]>, Fault> {
     let mut row = vec![[0; 4]; width];
-    let packed = matches!(file.0, [2, 2, high, low, ..] if usize::from(*high) << 8 | usize::from(*low) == width);
+    let packed =
+        matches!(file.0, [2, 2, high, low, ..] if usize::from(*high) << 8 | usize::from(*low) == width);
     if !(packed && PACKED.contains(&width)) {
         flat(file, &mut row)?;
         return Ok(row);

@@ -78,7 +78,8 @@ fn body(file: &mut Bytes<'_>, header: &Header, palette: &[[u8; 3]], mode: u32) -
         pixels.extend(row);
     }
     let raw = if planes == 24 {
-        let data = pixels.into_iter().flat_map(|pixel| [pixel as u8, (pixel >> 8) as u8, (pixel >> 16) as u8]);
+        let data =
+            pixels.into_iter().flat_map(|pixel| [pixel as u8, (pixel >> 8) as u8, (pixel >> 16) as u8]);
         Raw::Bytes { channels: 3, data: data.collect() }
     } else if mode & HOLD_AND_MODIFY != 0 && planes >= 6 {
         let rows = pixels.chunks_exact(width);

@@ -36,7 +36,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
     let raw = if wide {
         Raw::Words { channels, data: words.collect::<Result<_, _>>()? }
     } else {
-        Raw::Bytes { channels, data: words.map(|word| word.map(|word| word as u8)).collect::<Result<_, _>>()? }
+        Raw::Bytes {
+            channels,
+            data: words.map(|word| word.map(|word| word as u8)).collect::<Result<_, _>>()?,
+        }
     };
     let full = if wide { u16::MAX } else { 255 };
     let white = (white != full).then_some(white);

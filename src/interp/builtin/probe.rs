@@ -7,6 +7,7 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use super::arguments;
+use crate::compile::image;
 use crate::compile::probe::{Probe, inside_of};
 use crate::compile::texture::TextureCompiler;
 use crate::compile::{Reason, Unsupported};
@@ -16,6 +17,7 @@ use crate::interp::value::Value;
 use crate::interp::{Fault, Result, Vm, Word};
 use crate::math::DVec3;
 use crate::math::noise::Octaves;
+use crate::scene::pigment::PigmentKind;
 use crate::scene::settings::Settings;
 use crate::scene::{Function, Object};
 use crate::source::Span;
@@ -104,9 +106,30 @@ pub fn trace(vm: &mut Vm, span: Span) -> Result<DVec3> {
 /// `min_extent` or `max_extent`, its name just taken.
 pub fn extent(vm: &mut Vm, word: Word, span: Span) -> Result<DVec3> {
     arguments(vm, |vm| {
+        if word == Word::MaxExtent
+            && let Some(size) = image_size(vm, span)?
+        {
+            return Ok(size);
+        }
         let bounds = read_object(vm, span)?.bounds();
         Ok(if word == Word::MinExtent { bounds.min } else { bounds.max })
     })
+}
+
+/// The pixels across and down of the image in a pigment whose name comes next; `None` of anything else.
+fn image_size(vm: &mut Vm, span: Span) -> Result<Option<DVec3>> {
+    let token = vm.peek()?;
+    let named = matches!(token.kind, TokenKind::Name(_));
+    let value = vm.place.as_ref().filter(|_| named).and_then(|place| place.get());
+    let Some(Value::Pigment(pigment)) = value else { return Ok(None) };
+    let PigmentKind::Image { map, .. } = &pigment.kind else {
+        let fault = vm.error(token.span, "this pigment has no size");
+        return Err(fault.help("`max_extent` tells the size of objects, and of pigments with an `image_map`"));
+    };
+    let source = map.source.clone();
+    vm.take(token);
+    let size = image::size(&source).map_err(|lacking| refused(vm, &lacking, span))?;
+    Ok(Some(DVec3::new(f64::from(size[0]), f64::from(size[1]), 0.0)))
 }
 
 /// `vturbulence(lambda, omega, octaves, point)`, its name just taken.

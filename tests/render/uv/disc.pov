@@ -1,0 +1,18 @@
+// Texture coordinates of a disc and a plane, which have no coordinates of their own.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> look_at 0 angle 40 }
+light_source { <-20, 30, -30> rgb 1 }
+background { rgb 0.2 }
+
+#declare Squares = pigment {
+  uv_mapping
+  checker
+    pigment { gradient x color_map { [0 rgb <0.9, 0.2, 0.1>] [1 rgb <0.9, 0.8, 0.1>] } }
+    pigment { gradient y color_map { [0 rgb <0.1, 0.2, 0.8>] [1 rgb <0.2, 0.9, 0.8>] } }
+  scale <1/8, 1/6, 1>
+}
+
+disc { 0, <0.2, 0.5, -1>, 1, 0.3 pigment { Squares } translate -1.2*x }
+disc { <1.2, 0, 0>, -z, 0.9 pigment { Squares } }
+plane { y, -1.5 pigment { Squares } }

@@ -1,0 +1,16 @@
+// Texture coordinates of a julia_fractal.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> look_at 0 angle 30 }
+light_source { <-20, 30, -30> rgb 1 }
+background { rgb 0.2 }
+
+#declare Squares = pigment {
+  uv_mapping
+  checker
+    pigment { gradient x color_map { [0 rgb <0.9, 0.2, 0.1>] [1 rgb <0.9, 0.8, 0.1>] } }
+    pigment { gradient y color_map { [0 rgb <0.1, 0.2, 0.8>] [1 rgb <0.2, 0.9, 0.8>] } }
+  scale <1/8, 1/6, 1>
+}
+
+julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 6 precision 20 pigment { Squares } }

@@ -1,0 +1,19 @@
+// Texture coordinates of lathes of each spline.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> look_at 0 angle 45 }
+light_source { <-20, 30, -30> rgb 1 }
+background { rgb 0.2 }
+
+#declare Squares = pigment {
+  uv_mapping
+  checker
+    pigment { gradient x color_map { [0 rgb <0.9, 0.2, 0.1>] [1 rgb <0.9, 0.8, 0.1>] } }
+    pigment { gradient y color_map { [0 rgb <0.1, 0.2, 0.8>] [1 rgb <0.2, 0.9, 0.8>] } }
+  scale <1/8, 1/6, 1>
+}
+
+lathe { linear_spline 4, <0, -1>, <0.9, -0.5>, <0.4, 0.2>, <0.6, 1> pigment { Squares } translate -1.2*x }
+lathe { cubic_spline 5, <0, -1.4>, <0.5, -1>, <0.8, 0>, <0.3, 0.8>, <0.2, 1> pigment { Squares } translate 1.2*x }
+lathe { bezier_spline 4, <0.3, -1>, <1, -0.5>, <0.1, 0.5>, <0.6, 1> pigment { Squares } translate 2*z }
+lathe { quadratic_spline 5, <0.2, -1.2>, <0.6, -1>, <0.3, 0>, <0.7, 0.8>, <0.2, 1.2> pigment { Squares } translate <2.6, 0, 2> }

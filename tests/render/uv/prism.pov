@@ -1,0 +1,17 @@
+// Texture coordinates of prisms.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> look_at 0 angle 30 }
+light_source { <-20, 30, -30> rgb 1 }
+background { rgb 0.2 }
+
+#declare Squares = pigment {
+  uv_mapping
+  checker
+    pigment { gradient x color_map { [0 rgb <0.9, 0.2, 0.1>] [1 rgb <0.9, 0.8, 0.1>] } }
+    pigment { gradient y color_map { [0 rgb <0.1, 0.2, 0.8>] [1 rgb <0.2, 0.9, 0.8>] } }
+  scale <1/8, 1/6, 1>
+}
+
+prism { linear_spline -0.5, 0.5, 6, <-1, -1>, <1, -0.7>, <0.4, 0>, <1, 1>, <-1, 0.8>, <-1, -1> pigment { Squares } rotate 20*x translate -1.3*x }
+prism { cubic_spline conic_sweep 0.2, 1, 7, <-1, -1>, <1, -0.7>, <1, 1>, <-1, 0.8>, <-1, -1>, <1, -0.7>, <1, 1> pigment { Squares } rotate <200, 0, 0> translate 1.3*x }

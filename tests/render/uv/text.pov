@@ -1,0 +1,16 @@
+// Texture coordinates of text.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 3, -6> look_at 0 angle 30 }
+light_source { <-20, 30, -30> rgb 1 }
+background { rgb 0.2 }
+
+#declare Squares = pigment {
+  uv_mapping
+  checker
+    pigment { gradient x color_map { [0 rgb <0.9, 0.2, 0.1>] [1 rgb <0.9, 0.8, 0.1>] } }
+    pigment { gradient y color_map { [0 rgb <0.1, 0.2, 0.8>] [1 rgb <0.2, 0.9, 0.8>] } }
+  scale <1/8, 1/6, 1>
+}
+
+text { ttf "timrom.ttf" "uvw" 0.4, 0 pigment { Squares } translate <-0.8, -0.3, 0> scale 1.6 rotate 20*y }
