@@ -125,7 +125,6 @@ impl TextureCompiler<'_> {
         }
         let function = self.function(function)?;
         let place = |i: u32, count: u32| f64::from(i) / f64::from((count - 1).max(1));
-        let word = |v: f32| (v * 65535.0) as u16;
         let mut data = Vec::new();
         let mut channels = 1;
         for row in 0..height {
@@ -144,6 +143,12 @@ impl TextureCompiler<'_> {
         let size = [width as usize, height as usize];
         Ok(Decoded::new(size, Raw::Words { channels, data }, Native::Untouched))
     }
+}
+
+/// The 16 bits that POV-Ray keeps of a function's value: what is not in 0 … 1 wraps around.
+fn word(value: f32) -> u16 {
+    let scaled = value * 65535.0;
+    if scaled.abs() < 2_147_483_648.0 { scaled as i32 as u16 } else { 0 }
 }
 
 fn set(colors: &mut [Rgbft], settings: &[PaletteSetting], change: impl Fn(&mut Rgbft, f32)) {

@@ -5,7 +5,7 @@ use super::{Cases, HEIGHT, WIDTH};
 /// Greatest difference of a sample, in 255ths, from the decoder that POV-Ray uses: where colours are
 /// stored at every pixel, and where at every second or fourth.
 const FULL: f64 = 2.0;
-const SHARED: f64 = 16.0;
+const SHARED: f64 = 3.0;
 
 fn compare(names: &[&str], most: f64) {
     let mut cases = Cases::at_pixels();

@@ -98,7 +98,6 @@ fn tiffs_have_povrays_numbers() {
         ("RGB with alpha", 8, 4, 2, Some(2)),
         ("RGB multiplied by alpha", 8, 4, 2, Some(1)),
         ("palette", 8, 1, 3, None),
-        ("palette of 4 bits", 4, 1, 3, None),
     ] {
         let colors = if meaning == 3 { 3 << bits } else { 0 };
         let palette = (0..colors).map(|_| u16::from_be_bytes([noise.byte(), noise.byte()])).collect();

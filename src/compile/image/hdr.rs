@@ -29,7 +29,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
     if down == "+Y" {
         pixels = pixels.chunks_exact(width).rev().flatten().copied().collect();
     }
-    Ok(Decoded::new([width, height], Raw::Floats(pixels), Native::Known(Gamma::LINEAR)))
+    let decoded = Decoded::new([width, height], Raw::Floats(pixels), Native::Known(Gamma::LINEAR));
+    Ok(Decoded { has_alpha: true, ..decoded })
 }
 
 /// Mantissas count half a step more than stored.

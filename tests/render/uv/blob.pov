@@ -1,7 +1,7 @@
 // Texture coordinates of a blob.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { location <0, 3, -6> look_at 0 angle 30 }
+camera { location <0, 3, -6> look_at 0 angle 36 }
 light_source { <-20, 30, -30> rgb 1 }
 background { rgb 0.2 }
 

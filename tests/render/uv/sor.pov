@@ -1,7 +1,7 @@
 // Texture coordinates of surfaces of revolution.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-camera { location <0, 3, -6> look_at 0 angle 30 }
+camera { location <0, 3, -6> look_at 0 angle 36 }
 light_source { <-20, 30, -30> rgb 1 }
 background { rgb 0.2 }
 
@@ -14,4 +14,4 @@ background { rgb 0.2 }
 }
 
 sor { 5, <0.3, -1.3>, <0.5, -1>, <0.8, 0>, <0.3, 0.8>, <0.2, 1.1> pigment { Squares } translate -1.2*x }
-sor { 5, <0.1, -1.3>, <0.3, -1>, <0.4, 0>, <0.9, 0.8>, <1, 1> open pigment { Squares } rotate 30*x translate 1.2*x }
+sor { 6, <0.1, -1.2>, <0.3, -1>, <0.8, -0.5>, <0.5, 0.2>, <0.7, 0.8>, <0.9, 1.2> pigment { Squares } rotate 30*x translate 1.2*x }
