@@ -219,7 +219,7 @@ fn curve(
     }
     let old = settings.effective_version() < 370;
     let working = match settings.assumed_gamma {
-        None if old => return None,
+        None if old => return written.map(|from| (from, Gamma::LINEAR)),
         None => Gamma::LINEAR,
         Some(given) => given,
     };

@@ -41,6 +41,8 @@ pub(crate) struct Cases {
     /// What a message calls each function, its body, and the components to print.
     functions: Vec<(String, String, &'static [&'static str])>,
     points: String,
+    /// What the scene begins with.
+    header: String,
 }
 
 impl Cases {
@@ -59,7 +61,13 @@ impl Cases {
             files: 0,
             functions: Vec::new(),
             points: points.to_owned(),
+            header: "#version 3.7; global_settings{assumed_gamma 1}".to_owned(),
         }
+    }
+
+    /// The same in a scene that begins otherwise.
+    pub(crate) fn under(self, header: &str) -> Self {
+        Self { header: header.to_owned(), ..self }
     }
 
     /// Puts a file where both programs find it; its name.
@@ -136,8 +144,7 @@ impl Cases {
     }
 
     fn scene(&self) -> String {
-        let mut scene =
-            format!("#version 3.7; global_settings{{assumed_gamma 1}} #fopen OUT \"{FILE}\" write\n");
+        let mut scene = format!("{} #fopen OUT \"{FILE}\" write\n", self.header);
         for (number, (_, body, components)) in self.functions.iter().enumerate() {
             writeln!(scene, "#declare F{number}=function{{{body}}}").unwrap();
             let print = |c: &&str| format!("str(F{number}(X,Y,Z){c},0,17),\" \"");

@@ -1,6 +1,6 @@
 //! How images are laid over space and read between pixels.
 
-use super::{Cases, Noise};
+use super::{Cases, HEIGHT, Noise, WIDTH};
 
 /// So many points for each way to lay an image.
 const POINTS: usize = 400;
@@ -62,4 +62,44 @@ fn images_of_functions_have_povrays_numbers() {
         cases.values(body, body);
     }
     cases.compare(1e-9);
+}
+
+/// Files of every kind of curve under every way to say what the scene's colours are.
+#[test]
+fn every_curve_and_assumed_gamma_has_povrays_numbers() {
+    let mut noise = Noise(11);
+    for header in [
+        "#version 3.7; global_settings{assumed_gamma 2.2}",
+        "#version 3.7; global_settings{assumed_gamma srgb}",
+        "#version 3.7; global_settings{assumed_gamma 1.8}",
+        "#version 3.7;",
+        "#version 3.6; global_settings{assumed_gamma 2.2}",
+        "#version 3.6; global_settings{assumed_gamma 1}",
+        "#version 3.6;",
+        "global_settings{assumed_gamma 1}",
+        "",
+    ] {
+        let mut cases = Cases::at_pixels().under(header);
+        let mut ppm = format!("P6 {WIDTH} {HEIGHT} 255\n").into_bytes();
+        ppm.extend(noise.bytes(WIDTH * HEIGHT * 3));
+        let odd = format!("P5 {WIDTH} {HEIGHT} 100\n").into_bytes();
+        let odd = [odd, noise.below(101, WIDTH * HEIGHT)].concat();
+        let tga = [
+            &[0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, WIDTH as u8, 0, HEIGHT as u8, 0, 32, 0][..],
+            &noise.bytes(WIDTH * HEIGHT * 4),
+        ]
+        .concat();
+        for (keyword, bytes) in [("ppm", ppm), ("pgm", odd), ("tga", tga)] {
+            let name = cases.file(keyword, &bytes);
+            for gamma in ["", "gamma 1", "gamma 2.2", "gamma srgb", "gamma 1.5"] {
+                cases
+                    .colors(&format!("{header} {keyword} {gamma}"), &format!("{keyword} \"{name}\" {gamma}"));
+                cases.values(
+                    &format!("{header} {keyword} {gamma} pattern"),
+                    &format!("{keyword} \"{name}\" {gamma}"),
+                );
+            }
+        }
+        cases.compare(2e-16);
+    }
 }

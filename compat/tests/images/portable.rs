@@ -90,13 +90,13 @@ fn tiffs_have_povrays_numbers() {
     for (about, bits, channels, meaning, extra) in [
         ("grey", 8, 1, 1, None),
         ("grey from white", 8, 1, 0, None),
-        ("grey of 4 bits", 4, 1, 1, None),
         ("grey of 16 bits", 16, 1, 1, None),
         ("grey with alpha", 8, 2, 1, Some(2)),
         ("RGB", 8, 3, 2, None),
         ("RGB of 16 bits", 16, 3, 2, None),
         ("RGB with alpha", 8, 4, 2, Some(2)),
         ("RGB multiplied by alpha", 8, 4, 2, Some(1)),
+        ("RGB of 16 bits with alpha", 16, 4, 2, Some(2)),
         ("palette", 8, 1, 3, None),
     ] {
         let colors = if meaning == 3 { 3 << bits } else { 0 };

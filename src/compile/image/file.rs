@@ -84,7 +84,7 @@ pub(super) fn read(span: Span, format: ImageFormat, name: &str, path: &Path) -> 
         ImageFormat::Hdr => hdr::read,
         ImageFormat::Iff => iff::read,
         ImageFormat::Sys => {
-            return Err(Unsupported::new(span, format!("system format images, as {}", shown(name))));
+            return Err(broken("`sys` means no format here; name the one it has".into()));
         }
     };
     decode(&bytes).map_err(broken)

@@ -31,21 +31,35 @@ pub fn height_field(
     Ok(Compiled::rare(HeightField::new(size, heights, field.water_level, field.smooth)))
 }
 
-/// The height of a pixel.
+/// The height of a pixel. Curves count only where the scene names one or white is not the brightest
+/// number that can be stored.
 fn sample(image: &Image, x: usize, y: usize) -> u16 {
     let at = y * image.width + x;
     match &image.pixels {
         Pixels::Palette { indices, .. } => u16::from(indices[at]) * 256,
-        Pixels::Bytes { channels, data, .. } => match data[at * channels..][..*channels] {
-            [grey] | [grey, _] => u16::from(grey) * 257,
-            [red, green, ..] => u16::from(red) * 256 + u16::from(green),
-            [] => 0,
-        },
-        Pixels::Words { channels, data, .. } => match data[at * channels..][..*channels] {
-            [grey] | [grey, _] => grey,
-            [r, g, b, ..] => level(grey([r, g, b].map(|v| f32::from(v) / WHITE as f32))),
-            [] => 0,
-        },
+        Pixels::Bytes { channels, data, curve } => {
+            let pixel = &data[at * channels..][..*channels];
+            let light = |v: u8| curve[usize::from(v)];
+            let as_stored = |v: u8| light(v) == f32::from(v) / 255.0;
+            match *pixel {
+                [grey] | [grey, _] if as_stored(grey) => u16::from(grey) * 257,
+                [grey] | [grey, _] => level(light(grey).into()),
+                [red, green, ..] if as_stored(red) && as_stored(green) => {
+                    u16::from(red) * 256 + u16::from(green)
+                }
+                [red, green, ..] => (light(red) * 65280.0 + light(green) * 255.0) as u16,
+                [] => 0,
+            }
+        }
+        Pixels::Words { channels, data, curve } => {
+            let light = |v: u16| curve[usize::from(v)];
+            match data[at * channels..][..*channels] {
+                [grey] | [grey, _] if light(grey) == f32::from(grey) / WHITE as f32 => grey,
+                [grey] | [grey, _] => level(light(grey).into()),
+                [r, g, b, ..] => level(grey([r, g, b].map(light))),
+                [] => 0,
+            }
+        }
         Pixels::Floats(data) => {
             let [r, g, b, _] = data[at];
             level(if r == g && g == b { r.into() } else { grey([r, g, b]) })

@@ -124,7 +124,7 @@ pub(super) fn source(vm: &mut Vm<'_>, usage: Usage) -> Result<ImageSource> {
     let span = vm.here()?;
     let origin = if vm.peek_word()? == Some(Word::Function) { function(vm)? } else { file(vm, usage, span)? };
     let mut source = ImageSource { span, origin, gamma: None, premultiplied: None };
-    loop {
+    while matches!(source.origin, ImageOrigin::File { .. }) {
         match vm.peek_word()? {
             Some(Word::Gamma) => {
                 vm.next()?;
