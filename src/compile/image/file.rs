@@ -16,7 +16,7 @@ pub(super) type Fault = Box<dyn Error + Send + Sync>;
 
 /// The largest file that is read, and the most memory that its pixels may take: a small file can
 /// claim to hold any number of them.
-const MOST_BYTES: u64 = 1 << 31;
+pub(super) const MOST_BYTES: u64 = 1 << 30;
 
 /// A file's pixels as stored; row 0 is the top one.
 #[derive(Debug)]

@@ -1,17 +1,17 @@
 //! `gif` images, and `pot`: heights in a GIF.
 
 use std::io::Cursor;
+use std::num::NonZeroU64;
 
-use gif::{Decoder, MemoryLimit};
+use gif::{DecodeOptions, MemoryLimit};
 
-use super::file::{Decoded, Fault, Native, Raw, color_of_bytes, room};
+use super::file::{Decoded, Fault, MOST_BYTES, Native, Raw, color_of_bytes, room};
 
 /// The first picture of a GIF, on the file's canvas.
 pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
-    let mut options = gif::DecodeOptions::new();
-    // Both sides have 16 bits and `room` says no more below.
-    options.set_memory_limit(MemoryLimit::Unlimited);
-    let mut decoder: Decoder<_> = options.read_info(Cursor::new(bytes))?;
+    let mut options = DecodeOptions::new();
+    options.set_memory_limit(NonZeroU64::new(MOST_BYTES).map_or(MemoryLimit::Unlimited, MemoryLimit::Bytes));
+    let mut decoder = options.read_info(Cursor::new(bytes))?;
     let [width, height] = [usize::from(decoder.width()), usize::from(decoder.height())];
     room([width, height], 1)?;
     let global = decoder.global_palette().map(<[u8]>::to_vec);

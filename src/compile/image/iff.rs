@@ -62,7 +62,7 @@ fn body(file: &mut Bytes<'_>, header: &Header, palette: &[[u8; 3]], mode: u32) -
     if !(1..=8).contains(&planes) && planes != 24 {
         return Err(format!("pixels of {planes} planes are unknown").into());
     }
-    room(size, if planes > 8 { 3 } else { 1 })?;
+    room(size, size_of::<u32>())?;
     let line = width.div_ceil(16) * 2;
     let mut pixels = Vec::new();
     for _ in 0..height {

@@ -35,8 +35,9 @@ fn decode(bytes: &[u8], palette: bool) -> Result<Decoded, Fault> {
     let bits = usize::from(color.bit_depth());
     let channels = usize::from(color.num_samples());
     let count = room(size, channels * bits.div_ceil(8))?;
-    // `room` has said how much.
-    decoder = decoder.with_limits(Limits::unlimited());
+    let mut limits = Limits::default();
+    limits.decoding_buffer_size = count * channels * bits.div_ceil(8);
+    decoder = decoder.with_limits(limits);
     let extra = decoder.find_tag(Tag::ExtraSamples)?.and_then(|value| value.into_u16_vec().ok());
     let unassociated = extra.is_some_and(|kinds| kinds.first() == Some(&UNASSOCIATED));
     let map = if palette { decoder.get_tag_u16_vec(Tag::ColorMap)? } else { Vec::new() };
