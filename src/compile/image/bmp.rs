@@ -38,7 +38,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
     };
     let top_first = height < 0;
     let size = [usize::try_from(width).unwrap_or(0), height.unsigned_abs() as usize];
-    room(size, bits.div_ceil(8))?;
+    room(size, bits.div_ceil(8).max(1))?;
     let line = (size[0] * bits).div_ceil(32) * 4;
     let mut pixels = Bytes(bytes.get(start..).ok_or("the file ends too early")?);
     let ordered = |data: Vec<u8>, line: usize| {

@@ -34,6 +34,9 @@ fn decode(bytes: &[u8], palette: bool) -> Result<Decoded, Fault> {
     let color = decoder.colortype()?;
     let bits = usize::from(color.bit_depth());
     let channels = usize::from(color.num_samples());
+    if !matches!(bits, 1 | 2 | 4 | 8 | 16) {
+        return Err(format!("numbers of {bits} bits are unknown in a TIFF").into());
+    }
     let count = room(size, channels * bits.div_ceil(8))?;
     let mut limits = Limits::default();
     limits.decoding_buffer_size = count * channels * bits.div_ceil(8);
@@ -52,7 +55,7 @@ fn decode(bytes: &[u8], palette: bool) -> Result<Decoded, Fault> {
         // libtiff rounds colours and cuts grey off.
         DecodingResult::U16(data) if channels < 3 => data.into_iter().map(|v| (v >> 8) as u8).collect(),
         DecodingResult::U16(data) => data.into_iter().map(|v| ((u32::from(v) + 128) / 257) as u8).collect(),
-        _ => return Err("numbers other than of 8 or 16 bits are unknown in a TIFF".into()),
+        _ => return Err("numbers of this kind are unknown in a TIFF".into()),
     };
     if data.len() < count * channels {
         return Err("the file ends too early".into());
