@@ -80,9 +80,9 @@ fn every_curve_and_assumed_gamma_has_povrays_numbers() {
         "",
     ] {
         let mut cases = Cases::at_pixels().under(header);
-        let mut ppm = format!("P6 {WIDTH} {HEIGHT} 255\n").into_bytes();
+        let mut ppm = format!("P6\n{WIDTH} {HEIGHT}\n255\n").into_bytes();
         ppm.extend(noise.bytes(WIDTH * HEIGHT * 3));
-        let odd = format!("P5 {WIDTH} {HEIGHT} 100\n").into_bytes();
+        let odd = format!("P5\n{WIDTH} {HEIGHT}\n100\n").into_bytes();
         let odd = [odd, noise.below(101, WIDTH * HEIGHT)].concat();
         let tga = [
             &[0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, WIDTH as u8, 0, HEIGHT as u8, 0, 32, 0][..],
