@@ -120,6 +120,8 @@ fn picture(format: ImageFormat) -> Vec<u8> {
     });
     let mut bytes = std::io::Cursor::new(Vec::new());
     let picture = match format {
+        // The encoder would choose a kind that POV-Ray doesn't know.
+        ImageFormat::Pnm => return [b"P6\n16 8\n255\n".to_vec(), colors.into_raw()].concat(),
         ImageFormat::Hdr => DynamicImage::ImageRgb32F(DynamicImage::ImageRgb8(colors).into_rgb32f()),
         _ => DynamicImage::ImageRgb8(colors),
     };
