@@ -178,6 +178,7 @@ impl Flattener<'_> {
         match primitive {
             Shape::HeightField(field) => shape::height_field::height_field(field, &mut functions),
             Shape::Isosurface(surface) => shape::isosurface::isosurface(surface, &mut functions),
+            Shape::Parametric(surface) => shape::parametric::parametric(surface, &mut functions),
             Shape::Text(text) => shape::text::text(text, object.span),
             _ => shape::shape(primitive)
                 .map_err(|keyword| Unsupported::new(object.span, format!("`{keyword}`"))),
@@ -194,6 +195,7 @@ fn identity(primitive: &Shape) -> Option<*const ()> {
         Shape::BicubicPatch(patch) => Arc::as_ptr(patch).cast(),
         Shape::Blob(blob) => Arc::as_ptr(blob).cast(),
         Shape::Isosurface(surface) => Arc::as_ptr(surface).cast(),
+        Shape::Parametric(surface) => Arc::as_ptr(surface).cast(),
         _ => return None,
     })
 }

@@ -3,6 +3,7 @@
 pub mod height_field;
 pub mod isosurface;
 mod outline;
+pub mod parametric;
 pub mod text;
 
 use std::sync::Arc;
@@ -64,9 +65,9 @@ impl From<Primitive> for Compiled {
 /// Compiles a geometry; the error is the keyword of one that povista can't render yet.
 ///
 /// What POV-Ray accepts and never hits (docs/spec/primitives.md 1.9) becomes an empty shape. Compound
-/// objects and lights are no primitives: they come back as errors too, and height fields,
-/// isosurfaces and texts, whose images, functions and fonts may be broken, have functions of their own:
-/// [`height_field::height_field`], [`isosurface::isosurface`], [`text::text`].
+/// objects and lights are no primitives: they come back as errors too, and height fields, isosurfaces,
+/// parametric surfaces and texts, whose images, functions and fonts may be broken, have functions of their
+/// own: [`height_field::height_field`], [`isosurface::isosurface`], [`parametric::parametric`], [`text::text`].
 pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
     use scene::Shape as S;
     Ok(match shape {

@@ -23,14 +23,19 @@ pub fn isosurface(
     Ok(Compiled::rare(Some(Isosurface {
         function: functions.function(&surface.function)?,
         threshold: surface.threshold,
-        container: match surface.container {
-            scene::Container::Box { min, max } => Container::Box(Cuboid { min, max }),
-            scene::Container::Sphere { center, radius } => Container::Sphere(Sphere { center, radius }),
-        },
+        container: container(&surface.container),
         accuracy: positive(surface.accuracy, 0.001),
         max_gradient: positive(surface.max_gradient, 1.1),
         adaptive: surface.evaluate.map(|[_, share, _]| share.max(1.0)),
         most: surface.max_trace.unwrap_or(MOST).clamp(1, MOST) as usize,
         open: surface.open,
     })))
+}
+
+/// Where a surface is looked for.
+pub(super) fn container(container: &scene::Container) -> Container {
+    match *container {
+        scene::Container::Box { min, max } => Container::Box(Cuboid { min, max }),
+        scene::Container::Sphere { center, radius } => Container::Sphere(Sphere { center, radius }),
+    }
 }

@@ -51,7 +51,13 @@ impl Container {
         }
     }
 
-    fn stretch(&self, ray: &Ray) -> Option<Stretch> {
+    /// The box around it.
+    pub(super) fn bounds(&self) -> Bounds {
+        self.shape().bounds()
+    }
+
+    /// What of a line is inside.
+    pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         match self {
             Self::Box(cuboid) => cuboid.stretch(ray),
             Self::Sphere(sphere) => sphere.stretch(ray),
@@ -179,7 +185,7 @@ impl Isosurface {
 
 impl Shape for Isosurface {
     fn bounds(&self) -> Bounds {
-        self.container.shape().bounds()
+        self.container.bounds()
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
@@ -230,8 +236,7 @@ impl Shape for Isosurface {
 
 #[cfg(test)]
 mod tests {
-    use super::super::battery::Probe;
-    use super::super::battery::table;
+    use super::super::battery::{Probe, battery, table};
     use super::*;
 
     /// x² + y² + z² - 1.
@@ -259,6 +264,32 @@ mod tests {
             most: 1,
             open: false,
         }
+    }
+
+    /// The distance from the surface of a ball.
+    #[derive(Debug)]
+    struct Distance(f64);
+
+    impl Field for Distance {
+        fn value(&self, sample: &Sample) -> f64 {
+            sample.point.length() - self.0
+        }
+    }
+
+    fn sized(size: f64, half: f64) -> Isosurface {
+        Isosurface {
+            function: Arc::new(Distance(size)),
+            container: cube(half * size),
+            accuracy: 1e-6 * size,
+            max_gradient: 1.1,
+            most: 10,
+            ..ball(cube(1.0))
+        }
+    }
+
+    battery! {
+        whole: |size| sized(size, 1.5);
+        cut: |size| sized(size, 0.9);
     }
 
     #[track_caller]

@@ -14,6 +14,7 @@ pub mod julia_fractal;
 pub mod lathe;
 pub mod mesh;
 pub mod ovus;
+pub mod parametric;
 pub mod plane;
 pub mod poly;
 pub mod polygon;

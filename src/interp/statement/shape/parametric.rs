@@ -33,7 +33,10 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
             Word::MaxGradient => surface.max_gradient = vm.after_word(Vm::read_float)?,
             Word::Precompute => {
                 vm.next()?;
-                let depth = vm.read_count()?;
+                let (depth, place) = vm.located(Vm::read_count)?;
+                if !(1..=20).contains(&depth) {
+                    return Err(vm.error(place, "the depth of `precompute` is from 1 to 20"));
+                }
                 let mut axes = [false; 3];
                 for (axis, word) in axes.iter_mut().zip([Word::X, Word::Y, Word::Z]) {
                     vm.comma()?;
