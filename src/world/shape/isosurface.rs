@@ -142,7 +142,7 @@ impl Isosurface {
             // In POV-Ray it is a length in the scene, which is too coarse for what is scaled down.
             accuracy: self.accuracy * speed.min(1.0),
         };
-        let away = AWAY * search.accuracy;
+        let away = AWAY * self.accuracy;
         let end = (stretch.leave.t - begin) * speed;
         let mut push = |t: f64, lag: f64, part: u32| {
             found(Crossing { at: [lag / speed, 0.0], ..Crossing::new(begin + t / speed, part) })
@@ -178,7 +178,7 @@ impl Isosurface {
             }
         }
         if inside && !self.open && (left > 0 || self.most == 1 && begin <= start) && search.value(end) < 0.0 {
-            push(end, 0.0, stretch.leave.part + 1);
+            found(Crossing::new(stretch.leave.t, stretch.leave.part + 1));
         }
     }
 }
