@@ -1,4 +1,4 @@
-// povista-compat: +W640 +H480
+// povista-compat: +W320 +H240
 // Every pattern of the language: as a pigment on a tile, as pigment and bumps on a ball.
 #version 3.7;
 global_settings { assumed_gamma 1 }

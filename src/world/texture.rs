@@ -190,9 +190,11 @@ impl Layer {
     /// Updates the sample's bent normal, so that the pigment's `slope` and `aoi` see these bumps.
     pub fn bend(&self, sample: &mut Sample) -> DVec3 {
         let Some(normal) = &self.normal else { return sample.normal };
-        // The layer's own place counts as part of the normal block, patterned textures don't.
+        // The layer's own place counts as part of the normal block, patterned textures don't; a block
+        // that is mapped by uv ignores all its transforms.
+        let mapped = matches!(normal.kind, NormalKind::UvMapped(_));
         let (place, outer) = match sample.enclosing {
-            Some(place) if place.of_layers => (Some(place.warps), place.outer),
+            Some(place) if place.of_layers => ((!mapped).then_some(place.warps), place.outer),
             outer => (None, outer),
         };
         let mut n = outer.map_or(sample.normal, |outer| outer.inward(sample.normal));
