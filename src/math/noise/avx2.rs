@@ -96,8 +96,9 @@ impl Lattice {
             sums[at..at + 4].copy_from_slice(&each(found));
             at += 4;
         }
-        for (scale, sum) in scales[at..].iter().zip(&mut sums[at..]) {
+        while let (Some(scale), Some(sum)) = (scales.get(at), sums.get_mut(at)) {
             *sum = self.one(_mm256_mul_pd(p, _mm256_set1_pd(*scale)));
+            at += 1;
         }
     }
 

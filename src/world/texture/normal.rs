@@ -104,8 +104,9 @@ impl Normal {
             Formula::Dents(generator) => n + (dents(*generator, p) * amount) * vector_noise(p),
             Formula::Wrinkles(_) => {
                 let mut sum = DVec3::ZERO;
-                for (v, scale) in vector_noise_scaled(p, &WRINKLES).iter().zip(&WRINKLES) {
-                    sum += (*v / *scale).abs();
+                let vectors = vector_noise_scaled(p, &WRINKLES);
+                for (octave, scale) in WRINKLES.iter().enumerate() {
+                    sum += (vectors[octave] / *scale).abs();
                 }
                 n + amount * sum
             }
