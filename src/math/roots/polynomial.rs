@@ -174,8 +174,8 @@ fn isolate<const N: usize>(
     }
     // De Casteljau's halving.
     let (mut left, mut right) = ([0.0; N], *b);
-    for i in 0..=degree {
-        left[i] = right[0];
+    for (i, left) in left[..=degree].iter_mut().enumerate() {
+        *left = right[0];
         for j in 0..degree - i {
             right[j] = 0.5 * (right[j] + right[j + 1]);
         }
