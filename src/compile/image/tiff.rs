@@ -7,7 +7,7 @@ use tiff::decoder::{Decoder, DecodingResult, Limits};
 use tiff::tags::Tag;
 
 use super::bytes::unpacked;
-use super::file::{Decoded, Fault, Native, Raw, room};
+use super::file::{Decoded, Fault, MOST_BYTES, Native, Raw, room};
 
 /// `ExtraSamples` of alpha that colours are not multiplied by.
 const UNASSOCIATED: u16 = 2;
@@ -39,7 +39,7 @@ fn decode(bytes: &[u8], palette: bool) -> Result<Decoded, Fault> {
     }
     let count = room(size, channels * bits.div_ceil(8))?;
     let mut limits = Limits::default();
-    limits.decoding_buffer_size = count * channels * bits.div_ceil(8);
+    limits.decoding_buffer_size = MOST_BYTES as usize;
     decoder = decoder.with_limits(limits);
     let extra = decoder.find_tag(Tag::ExtraSamples)?.and_then(|value| value.into_u16_vec().ok());
     let unassociated = extra.is_some_and(|kinds| kinds.first() == Some(&UNASSOCIATED));
