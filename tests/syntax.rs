@@ -29,6 +29,43 @@ fn valid_scenes_are_accepted() {
     });
 }
 
+/// What is accepted but should be looked at: here remarks about the scene as a whole count too.
+#[test]
+fn doubtful_scenes_are_warned_about() {
+    insta::glob!("syntax/warned/*.pov", |path| {
+        let checked = check_file(path);
+        assert!(!checked.failed(), "{}:\n{checked}", path.display());
+        assert!(!checked.diagnostics.is_empty(), "{} is passed over", path.display());
+        check_spans(&checked);
+        snapshot("warned", &checked);
+    });
+}
+
+/// Every error and warning of docs/spec/language.md 7.2 has a scene that is in that situation.
+#[test]
+fn every_situation_has_a_scene() {
+    let spec = include_str!("../docs/spec/language.md");
+    let table = spec.split("### 7.2 Situations").nth(1).unwrap();
+    let listed = include_str!("syntax/situations.txt");
+    let mut count = 0;
+    for row in table.lines().filter(|row| row.starts_with("| ") && !row.starts_with("| #")) {
+        let mut cells = row.trim_matches('|').split(" | ");
+        let (number, outcome) = (cells.next().unwrap().trim(), cells.last().unwrap().trim());
+        count += 1;
+        let scenes = listed.lines().find_map(|line| line.strip_prefix(&format!("{number} ")));
+        assert!(scenes.is_some() || outcome.starts_with("silent"), "{row} has no scene");
+        for scene in scenes.unwrap_or_default().split(' ').filter(|scene| !scene.is_empty()) {
+            let exists = |folder: &str| {
+                Path::new(env!("CARGO_MANIFEST_DIR"))
+                    .join(format!("tests/syntax/{folder}/{scene}.pov"))
+                    .exists()
+            };
+            assert!(exists("invalid") || exists("warned"), "{number}: {scene} does not exist");
+        }
+    }
+    assert!(count >= 70, "only {count} rows were found");
+}
+
 /// Every file of Debian's povray-includes and povray-examples.
 #[test]
 fn installed_files_are_tokens_throughout() {
@@ -57,8 +94,9 @@ fn check_file(path: &Path) -> Checked {
 
 /// Compares the report, and what the scene wrote, with the snapshot.
 fn snapshot(verdict: &str, checked: &Checked) {
-    // What concerns the scene as a whole, such as that it has no objects, is no matter here.
-    let placed = checked.diagnostics.iter().filter(|diagnostic| diagnostic.span.is_some());
+    // What concerns the scene as a whole, such as that it has no objects, is mostly no matter here.
+    let all = verdict == "warned";
+    let placed = checked.diagnostics.iter().filter(|diagnostic| all || diagnostic.span.is_some());
     let mut report: String = placed.map(|diagnostic| plain(diagnostic, &checked.sources)).collect();
     if !checked.debug.is_empty() {
         report = format!("{report}--- debug\n{}", checked.debug);

@@ -76,6 +76,7 @@ mod tests {
     use crate::scene::function::{BinaryOp, Builtin, Expr};
     use crate::scene::settings::Settings;
     use crate::source::Span;
+    use crate::world::function::Budget;
 
     fn of(parameters: usize, body: FunctionBody) -> Arc<scene::Function> {
         Arc::new(scene::Function { span: Span::default(), name: "f".into(), parameters, body })
@@ -162,6 +163,32 @@ mod tests {
         let sum =
             binary(BinaryOp::Add, Expr::User(radius, point(())), Expr::Component(transform, point(()), 1));
         assert_eq!(call(&expression(1, sum), &[3.0]), 5.0 + 12.0);
+    }
+
+    #[test]
+    fn a_function_may_call_itself() {
+        let less = binary(BinaryOp::Subtract, parameter(0), number(1.0));
+        let product = binary(BinaryOp::Multiply, Expr::Recursion(vec![less.clone()]), parameter(0));
+        let branches = vec![parameter(0), number(0.0), number(1.0), product];
+        let factorial = expression(1, Expr::Call(Builtin::Select, branches));
+        assert_eq!(call(&factorial, &[5.0]), 120.0);
+        // No call of itself ends this one.
+        let endless = binary(BinaryOp::Add, Expr::Recursion(vec![less]), number(1.0));
+        let budget = Budget::default();
+        let mut value = [0.0; 5];
+        let endless = super::function(&expression(1, endless)).unwrap();
+        endless.call_within(&[1.0], &mut value, &budget);
+        assert!(value[0].is_nan() && budget.is_too_deep());
+    }
+
+    #[test]
+    fn endless_sums_come_to_an_end() {
+        let sum = Expr::Sum(Box::new([number(0.0), parameter(0), number(1.0)]));
+        let sum = super::function(&expression(1, sum)).unwrap();
+        let budget = Budget::default();
+        let mut value = [0.0; 5];
+        sum.call_within(&[1e300], &mut value, &budget);
+        assert!(value[0].is_nan() && budget.is_spent() && !budget.is_too_deep());
     }
 
     #[test]

@@ -83,6 +83,10 @@ impl<'w, 'a> Writer<'w, 'a> {
             Expr::Binary(..) => self.chain(expression),
             Expr::Call(Builtin::Select, arguments) => self.select(arguments),
             Expr::Call(builtin, arguments) => self.builtin(*builtin, arguments),
+            Expr::Recursion(arguments) => {
+                let mark = self.arguments(arguments)?;
+                self.result(mark, Code::Recursion, mark as Register, mark as Register)
+            }
             Expr::User(function, arguments) => self.call(function, arguments, 0),
             Expr::Component(function, arguments, component) => self.call(function, arguments, *component),
             Expr::Sum(parts) => self.repeat(parts, 0.0, Code::Add),
@@ -275,16 +279,22 @@ impl<'w, 'a> Writer<'w, 'a> {
                 "a function call with too few or too many arguments",
             ));
         }
-        let mark = self.used;
-        for argument in arguments {
-            self.value_on_top(argument)?;
-        }
+        let mark = self.arguments(arguments)?;
         self.calls = self.calls.max(function.depth + 1);
         let code = match &function.body {
             Body::Internal(internal) => Code::Internal(*internal),
             _ => Code::Call(function, component),
         };
         self.result(mark, code, mark as Register, mark as Register)
+    }
+
+    /// Writes what puts arguments into the lowest free registers, and says which is the first.
+    fn arguments(&mut self, arguments: &[Expr]) -> Result<usize, Unsupported> {
+        let mark = self.used;
+        for argument in arguments {
+            self.value_on_top(argument)?;
+        }
+        Ok(mark)
     }
 
     /// `sum` and `prod`: the running variable from the first to the second part, both included.
@@ -336,7 +346,8 @@ fn one_argument(builtin: Builtin) -> Code {
     Code::Unary(match builtin {
         Builtin::Abs => f64::abs,
         Builtin::Acos => f64::acos,
-        Builtin::Acosh => f64::acosh,
+        // The C library's has the sign bit of its NaN set.
+        Builtin::Acosh => |v| if v < 1.0 { -f64::NAN } else { v.acosh() },
         Builtin::Asin => f64::asin,
         Builtin::Asinh => f64::asinh,
         Builtin::Atan => f64::atan,

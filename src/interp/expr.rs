@@ -32,12 +32,12 @@ impl Vm<'_> {
                 .error(start.to(self.last), "the condition of `?` is a vector")
                 .help("compare one component"));
         }
-        let yes = self.full(n)?;
+        let yes = self.nested(start, |vm| vm.full(n))?;
         if self.operator()? != Some(Punct::Colon) {
             return Err(self.expected("`:` of the `?` before it"));
         }
         self.next()?;
-        let no = self.full(n)?;
+        let no = self.nested(start, |vm| vm.full(n))?;
         Ok(if truth(condition.c[0]) { yes } else { no })
     }
 

@@ -62,8 +62,9 @@ impl Vm<'_> {
 
     /// An error after which nothing else can be read.
     pub fn fatal(&mut self, span: Span, message: impl Into<String>) -> Fault {
-        self.stopped = true;
-        self.error(span, message)
+        let fault = self.error(span, message);
+        self.stop();
+        fault
     }
 
     /// Warns about a place, and says how to mend it.
@@ -85,12 +86,17 @@ impl Vm<'_> {
 
     /// Reports the error behind a fault, unless that has happened.
     pub(super) fn settle(&mut self, fault: Fault) {
+        if std::mem::replace(&mut self.ended, self.stopped) {
+            // What comes after the error that stopped everything only follows from it.
+            return;
+        }
         self.faults += 1;
         if let Some(diagnostic) = fault.0 {
             self.report(*diagnostic);
         }
         if self.faults >= super::limits::MOST_FAULTS {
-            self.stopped = true;
+            self.stop();
+            self.ended = true;
         }
     }
 
@@ -101,7 +107,8 @@ impl Vm<'_> {
         if self.said.insert((diagnostic.span, diagnostic.message.clone())) {
             self.errors += usize::from(error);
             if self.errors >= super::limits::MOST_ERRORS {
-                self.stopped = true;
+                self.stop();
+                self.ended = true;
             }
             self.sink.diagnostic(diagnostic, self.sources);
         }

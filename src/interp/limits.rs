@@ -10,6 +10,12 @@ pub const MOST_BLOCKS: usize = 2000;
 /// Parentheses, vectors and statements inside each other.
 pub const MOST_NESTING: u32 = 1000;
 
+/// Braces inside each other that are worth a warning.
+pub const SUSPICIOUS_NESTING: i32 = 199;
+
+/// Stack of a run, in bytes: 64 KiB for each level of nesting. Only what is used takes memory.
+pub const STACK: usize = (MOST_NESTING as usize) << 16;
+
 /// Objects a scene may make in all: a loop without end that makes them is stopped before the
 /// memory of an ordinary machine is used up.
 pub const MOST_OBJECTS: u64 = 20_000_000;
@@ -34,6 +40,10 @@ pub const MOST_PARAMETERS: usize = 55;
 
 /// Parameters of a function.
 pub const MOST_FUNCTION_PARAMETERS: usize = 56;
+
+/// Terms of a sum between two numbers that are known when a function is defined: no evaluation
+/// could take so many steps (`world::function::Budget`).
+pub const MOST_TERMS: f64 = 5e7;
 
 /// Dimensions of an array.
 pub const MOST_DIMENSIONS: usize = 5;

@@ -1,26 +1,11 @@
-//! Macros: what is kept of one, and how it is called. docs/spec/language.md 2.8.
+//! Calls of macros, docs/spec/language.md 2.8.
 
-use super::program::Code;
+use super::code::Macro;
 use super::stream::{Entered, Frame, TokenKind};
 use super::{Result, Vm};
 use crate::source::Span;
 use crate::syntax::{Punct, Symbol};
 use std::rc::Rc;
-
-/// A macro: a stretch of nodes that is read again at each call.
-#[derive(Debug)]
-pub struct Macro {
-    /// The names of its parameters.
-    pub parameters: Vec<Symbol>,
-    /// The file it was written in.
-    pub(super) tree: Rc<Code>,
-    /// The first node of the body.
-    pub(super) start: usize,
-    /// The node of its `#end`.
-    pub(super) end: usize,
-    /// Where its name stands in the definition.
-    pub span: Span,
-}
 
 impl Vm<'_> {
     /// Reads the arguments of a macro whose name was just read, and goes on in its body.

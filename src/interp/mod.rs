@@ -39,9 +39,11 @@
 //!   `Err(vm.expected("a pattern"))` names the token that was found. Warnings: `vm.warn(..)`.
 //! - A reader that calls itself (a CSG in a CSG) goes through [`Vm::nested`], which guards the stack.
 
-pub mod array;
+mod array;
 pub mod builtin;
 pub mod check;
+mod closing;
+pub mod code;
 mod directive;
 mod expr;
 mod fault;
@@ -49,7 +51,8 @@ pub mod file;
 pub mod format;
 mod function;
 pub mod limits;
-pub mod macros;
+mod macros;
+mod memory;
 mod program;
 mod read;
 mod recover;
@@ -61,6 +64,7 @@ pub mod tuple;
 pub mod value;
 mod word;
 
+pub use closing::Experimental;
 pub use fault::{Fault, Result};
 pub use read::Block;
 pub use stream::{Token, TokenKind};
@@ -72,8 +76,8 @@ use crate::math::gamma::Gamma;
 use crate::options::{Declared, LanguageOptions};
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
-use crate::syntax::{Punct, Symbols};
-use program::Code;
+use crate::syntax::{Punct, Symbol, Symbols};
+use code::Code;
 use rustc_hash::{FxHashMap, FxHashSet};
 use scope::{Place, Scopes};
 use std::rc::Rc;
@@ -119,6 +123,8 @@ pub struct Vm<'a> {
     /// The token that was peeked, and what its name stands for.
     ahead: Option<Token>,
     place: Option<Place>,
+    /// The name whose value is being read: a function may call itself by it.
+    declaring: Option<Symbol>,
     /// Directives at operator positions are not run.
     blocked: bool,
     /// A `#` that was no directive, for the help of the error that follows.
@@ -131,15 +137,25 @@ pub struct Vm<'a> {
     stack: Vec<f64>,
     /// Levels of nesting of what is being read.
     nesting: u32,
+    /// Turns of loops and calls of macros: in all, and since something was made.
     turns: u64,
+    idle_turns: u64,
+    /// Bytes of big things made since it was last looked at how much memory is in use.
+    added: usize,
+    /// The memory in use before the run.
+    memory_before: u64,
     /// Objects made so far.
     objects: u64,
+    /// Experimental features the scene uses.
+    experimental: Vec<Experimental>,
     /// A `#version` was met, or given from outside.
     version_written: bool,
     /// The first one came after something else.
     version_late: bool,
     /// Nothing more is read.
     stopped: bool,
+    /// Why that is has been said.
+    ended: bool,
     failed: bool,
     faults: usize,
     errors: usize,
@@ -154,9 +170,12 @@ pub fn interpret(
     sink: &mut dyn Sink,
 ) -> Option<Scene> {
     sources.library.paths.extend(options.library_paths.iter().cloned());
-    let mut vm = Vm::new(main, sources, options, sink);
-    vm.run_scene();
-    if vm.failed { None } else { statement::finish(vm) }
+    // Statements inside each other take little stack each, but there may be many.
+    stacker::grow(limits::STACK, || {
+        let mut vm = Vm::new(main, sources, options, sink);
+        vm.run_scene();
+        if vm.failed { None } else { statement::finish(vm) }
+    })
 }
 
 impl<'a> Vm<'a> {
@@ -189,6 +208,7 @@ impl<'a> Vm<'a> {
             random: Default::default(),
             ahead: None,
             place: None,
+            declaring: None,
             blocked: false,
             dropped_hash: None,
             depth: 0,
@@ -196,10 +216,15 @@ impl<'a> Vm<'a> {
             stack: Vec::new(),
             nesting: 0,
             turns: 0,
+            idle_turns: 0,
+            added: 0,
+            memory_before: memory::used(),
             objects: 0,
+            experimental: Vec::new(),
             version_written: options.version.is_some(),
             version_late: false,
             stopped: false,
+            ended: false,
             failed: false,
             faults: 0,
             errors: 0,
@@ -297,8 +322,13 @@ impl<'a> Vm<'a> {
 
     /// A directive without its `#`, which old scenes have at the top level.
     fn without_hash(&mut self, word: Word, span: Span) -> Result<()> {
-        if word != Word::Default && self.version >= 350 {
-            self.warn(span, format!("`{}` without its `#`", word.text()), "write a `#` before it");
+        let message = format!("`{}` without its `#`", word.text());
+        match word {
+            Word::Declare if self.version >= 350 => self.possible(span, message, "write a `#` before it"),
+            Word::Include | Word::Version if self.version >= 350 => {
+                self.warn(span, message, "write a `#` before it");
+            }
+            _ => {}
         }
         match word {
             Word::Declare => self.declare(false),
@@ -319,16 +349,7 @@ impl<'a> Vm<'a> {
         if self.failed {
             return;
         }
-        let help = "start it with `#version 3.7;`, or what it was written for";
-        if !self.version_written {
-            self.remark(
-                Severity::Warning,
-                "the scene does not say which version of the language it is in",
-                help,
-            );
-        } else if self.version_late {
-            self.remark(Severity::Warning, "`#version` is not the first thing in the scene", help);
-        }
+        self.closing_remarks();
     }
 
     /// Reads something that can contain itself: checks that it does not go too deep, and that
@@ -338,15 +359,18 @@ impl<'a> Vm<'a> {
         const RED_ZONE: usize = 128 << 10;
         const MORE: usize = 2 << 20;
         if self.nesting >= limits::MOST_NESTING {
-            let message = format!("nested more than {} levels deep here", limits::MOST_NESTING);
-            return Err(self
-                .fatal(span, message)
-                .help("name parts of it with `#declare`, and use the names"));
+            return Err(self.too_deep(span));
         }
         self.nesting += 1;
         let result = stacker::maybe_grow(RED_ZONE, MORE, || read(self));
         self.nesting -= 1;
         result
+    }
+
+    /// The error for what is nested too deep.
+    fn too_deep(&mut self, span: Span) -> Fault {
+        let message = format!("nested more than {} levels deep here", limits::MOST_NESTING);
+        self.fatal(span, message).help("name parts of it with `#declare`, and use the names")
     }
 
     /// Counts an object that is made.

@@ -1,5 +1,6 @@
 //! What readers of statements ask for again and again: braces, commas, words, numbers, names.
 
+use super::limits::{MOST_NESTING, SUSPICIOUS_NESTING};
 use super::scope::Place;
 use super::stream::{Token, TokenKind};
 use super::tuple::Tuple;
@@ -85,7 +86,15 @@ impl Vm<'_> {
             let fault = self.error(token.span, format!("`{}` needs a `{{` here, found {found}", word.text()));
             return Err(fault.see(keyword.span, format!("this `{}`", word.text())));
         }
+        if self.depth == SUSPICIOUS_NESTING {
+            let message = format!("{SUSPICIOUS_NESTING} braces are open here");
+            self.warn(token.span, message, "is one of them never closed?");
+        }
+        if self.depth >= MOST_NESTING as i32 {
+            return Err(self.too_deep(keyword.span));
+        }
         self.take(token);
+        self.made_something();
         Ok(Block { keyword: word, span: keyword.span, open: token.span })
     }
 

@@ -24,6 +24,25 @@ impl Place {
         Place::Variable(Rc::new(RefCell::new(value)))
     }
 
+    /// Whether changing one changes the other.
+    pub fn shares_with(&self, other: &Place) -> bool {
+        Rc::ptr_eq(self.cell(), other.cell())
+    }
+
+    /// How many elements an assignment copies: those of an array that is shared.
+    pub fn copied_elements(&self) -> usize {
+        match (self, &*self.cell().borrow()) {
+            (Place::Element(..), Value::Array(array)) if Rc::strong_count(array) > 1 => array.len(),
+            _ => 0,
+        }
+    }
+
+    fn cell(&self) -> &Rc<RefCell<Value>> {
+        match self {
+            Place::Variable(cell) | Place::Element(cell, _) => cell,
+        }
+    }
+
     /// Looks at the value; `None` for an element nothing was assigned to.
     pub fn look(&self) -> Option<Ref<'_, Value>> {
         match self {

@@ -2,7 +2,7 @@
 
 use super::stream::TokenKind;
 use super::value::Value;
-use super::{Result, Vm, Word};
+use super::{Experimental, Result, Vm, Word};
 use crate::scene::Spline;
 use crate::scene::spline::SplineKind;
 use crate::syntax::Punct;
@@ -39,6 +39,7 @@ impl Vm<'_> {
     pub(super) fn read_spline(&mut self) -> Result<Spline> {
         let keyword = self.next()?;
         let block = self.open(keyword)?;
+        self.note_experimental(Experimental::Spline);
         let copied = self.accept_value(|value| match value {
             Value::Spline(spline) => Some(Spline::clone(spline)),
             _ => None,

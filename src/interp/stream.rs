@@ -4,12 +4,12 @@
 //! never see them. In the blocked zones of docs/spec/language.md 2.2 [`Vm::peek_raw`] is used,
 //! which runs nothing: there a directive looks like a lone `#`.
 
-use super::program::Code;
+use super::code::Code;
 use super::scope::Place;
 use super::value::Value;
 use super::{Fault, Result, Vm, Word};
 use crate::source::Span;
-use crate::syntax::{Node, NodeKind, Punct, Symbol};
+use crate::syntax::{Node, NodeKind, Punct, Symbol, parse_marks};
 use std::rc::Rc;
 
 /// A token as readers get it.
@@ -50,7 +50,7 @@ pub(super) struct Frame {
     pub pos: usize,
     /// The node to stop before.
     pub end: usize,
-    /// How it was entered; `None` for the scene file.
+    /// How it was entered; `None` for the scene file, and for a vector that is read as marks.
     pub entered: Option<Entered>,
     /// How many blocks were open before.
     pub blocks: usize,
@@ -228,7 +228,9 @@ impl Vm<'_> {
     pub(super) fn leave_frame(&mut self) -> bool {
         let Some(outer) = self.frames.pop() else { return false };
         let left = std::mem::replace(&mut self.frame, outer);
-        self.scopes.leave();
+        if left.entered.is_some() {
+            self.scopes.leave();
+        }
         if left.entered.is_some_and(|entered| entered.name.is_some()) {
             // The body of a macro is balanced, but `#break` may leave it early.
             while self.blocks.len() > left.blocks {
@@ -236,6 +238,31 @@ impl Vm<'_> {
             }
         }
         true
+    }
+
+    /// Goes on with the marks and numbers of the vector that was peeked, for there is an operand
+    /// before it: its `<` compares.
+    pub(super) fn split_vector(&mut self, span: Span) {
+        self.ahead = None;
+        let tree = parse_marks(span, self.sources.get(span.file), &mut self.symbols);
+        let marks = Frame {
+            end: tree.nodes.len(),
+            tree: Code::new(tree),
+            pos: 0,
+            entered: None,
+            blocks: self.blocks.len(),
+        };
+        self.frames.push(std::mem::replace(&mut self.frame, marks));
+    }
+
+    /// Makes what follows the end of the scene, so that whatever is being read comes to its end.
+    pub(super) fn stop(&mut self) {
+        self.stopped = true;
+        while let Some(outer) = self.frames.pop() {
+            self.frame = outer;
+        }
+        self.frame.end = 0;
+        self.ahead = None;
     }
 
     /// Whether what is read now may be read again: in a loop, or in a macro.
@@ -246,7 +273,7 @@ impl Vm<'_> {
 
     /// The place just after the last token of the scene.
     fn end_span(&self) -> Span {
-        self.frame.tree.span(self.frame.end)
+        self.frame.tree.span(self.frame.tree.nodes.len())
     }
 }
 

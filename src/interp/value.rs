@@ -1,8 +1,9 @@
 //! What a name can stand for.
 
-use super::array::Array;
+mod array;
+
+use super::code::Macro;
 use super::file::FileHandle;
-use super::macros::Macro;
 use super::tuple::Tuple;
 use crate::math::{DVec2, Rgbft, Transform};
 use crate::scene::{
@@ -10,6 +11,7 @@ use crate::scene::{
     Spline, Texture,
 };
 use crate::scene::{interior::Material, pigment::BlendMap};
+pub use array::Array;
 use std::rc::Rc;
 use std::sync::Arc;
 

@@ -26,9 +26,12 @@ pub struct LanguageOptions {
     pub clock: Clock,
     /// Whether things that cannot be rendered yet are left out with a warning.
     pub skip_unsupported: bool,
-    /// Turns that all loops of a scene may make together, calls of macros counted too; then the
-    /// scene is stopped with an error.
+    /// Turns that loops may make in a row without making anything (a statement, an element of an
+    /// array, text), calls of macros counted too; then the scene is stopped with an error. In all
+    /// they may make ten times as many.
     pub max_turns: u64,
+    /// Bytes of memory that reading a scene may take; then it is stopped with an error.
+    pub max_memory: u64,
 }
 
 /// A constant declared from outside the scene.
@@ -81,7 +84,8 @@ impl Default for LanguageOptions {
             image_height: 600,
             clock: Clock::default(),
             skip_unsupported: false,
-            max_turns: 100_000_000,
+            max_turns: 10_000_000,
+            max_memory: 4 << 30,
         }
     }
 }

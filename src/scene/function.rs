@@ -52,6 +52,8 @@ pub enum Expr {
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// A built-in, with as many arguments as it takes.
     Call(Builtin, Vec<Expr>),
+    /// The function itself, with other arguments.
+    Recursion(Vec<Expr>),
     /// A user function that gives a number.
     User(Arc<Function>, Vec<Expr>),
     /// `.x`, `.red` … of a user function that gives several components.

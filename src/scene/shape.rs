@@ -416,6 +416,8 @@ pub struct Csg {
     pub children: Vec<Arc<Object>>,
     /// `split_union`: a union at the top level is dissolved into its members.
     pub split_union: bool,
+    /// How many shapes there are in it over all levels.
+    pub parts: u64,
 }
 
 /// How a [`Csg`] combines its children.

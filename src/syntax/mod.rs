@@ -10,6 +10,6 @@ mod read;
 mod symbol;
 mod tree;
 
-pub use read::parse;
+pub use read::{parse, parse_marks};
 pub use symbol::{Symbol, Symbols};
 pub use tree::{DIRECTIVES, Directive, NO_LINK, Node, NodeKind, NumberVector, Punct, Tree};

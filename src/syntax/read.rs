@@ -8,7 +8,7 @@ mod grammar {
 }
 
 use super::tree::{DIRECTIVES, Node, NodeKind, NumberVector, Punct, Tree};
-use super::{NO_LINK, Symbols};
+use super::{Directive, NO_LINK, Symbols};
 use crate::diag::{Diagnostic, Severity};
 use crate::source::{Encoding, FileId, Source, Span};
 use grammar::{Grammar, Rule};
@@ -20,22 +20,15 @@ const PIECE: usize = 1 << 16;
 const LONGEST_STRING: usize = 255;
 /// Characters of a name.
 const LONGEST_NAME: usize = 255;
+/// Brackets, braces and directives inside each other; the interpreter's own limits are far lower. Of a
+/// file that goes deeper the rest is not read: nobody writes that, and reading it takes its time.
+const DEEPEST: i32 = 10_000;
 /// Mistakes in the text of one file that are reported before the rest is ignored.
 const MOST_ERRORS: usize = 20;
 
 /// Reads a whole file. Words are interned in `symbols`.
 pub fn parse(id: FileId, source: &Source, symbols: &mut Symbols) -> Tree {
-    let mut reader = Reader {
-        tree: Tree {
-            file: id,
-            nodes: Vec::new(),
-            numbers: Vec::new(),
-            vectors: Vec::new(),
-            errors: Vec::new(),
-        },
-        source,
-        symbols,
-    };
+    let mut reader = Reader { tree: Tree::empty(id), depth: 0, source, symbols };
     if u32::try_from(source.text.len()).is_err() {
         reader.error(0, 0, "this file is longer than 4 GiB", "split it, and `#include` the parts");
     } else if source.is_binary() {
@@ -47,8 +40,24 @@ pub fn parse(id: FileId, source: &Source, symbols: &mut Symbols) -> Tree {
     reader.tree
 }
 
+/// Reads a vector of plain numbers again as the marks and numbers it is written with: after an operand
+/// its `<` compares.
+pub fn parse_marks(span: Span, source: &Source, symbols: &mut Symbols) -> Tree {
+    let mut reader = Reader { tree: Tree::empty(span.file), depth: 0, source, symbols };
+    let start = span.start as usize;
+    let marks = Grammar::parse(Rule::marks, &source.text[start..span.end as usize]);
+    for pair in marks.into_iter().flatten().flat_map(|marks| marks.into_inner()) {
+        if matches!(pair.as_rule(), Rule::number | Rule::punct) {
+            reader.token(pair.as_rule(), pair.as_str(), start + pair.as_span().start());
+        }
+    }
+    reader.tree
+}
+
 struct Reader<'a> {
     tree: Tree,
+    /// Brackets, braces and directives that are open.
+    depth: i32,
     source: &'a Source,
     symbols: &'a mut Symbols,
 }
@@ -61,6 +70,9 @@ impl Reader<'_> {
             let end = piece_end(text, start, size);
             let nodes = self.tree.nodes.len();
             let again = self.piece(start, &text[start..end], end == text.len());
+            if self.depth >= DEEPEST {
+                return;
+            }
             if again == start {
                 self.tree.nodes.truncate(nodes);
                 size *= 2;
@@ -90,6 +102,12 @@ impl Reader<'_> {
             match rule {
                 Rule::block_comment | Rule::line_text | Rule::block_text | Rule::EOI => {}
                 _ => self.token(rule, span.as_str(), offset + span.start()),
+            }
+            if self.depth >= DEEPEST {
+                let message = format!("nested more than {DEEPEST} levels deep here");
+                let at = offset + span.start();
+                self.error(at, at + 1, message, "the rest of the file is not read");
+                break;
             }
         }
         // The word of a directive may stand in the next piece.
@@ -124,12 +142,22 @@ impl Reader<'_> {
             }
             Rule::string => NodeKind::Text,
             Rule::directive => match directive(text) {
-                Some(directive) => NodeKind::Directive(directive, NO_LINK),
+                Some(directive) => {
+                    self.depth += i32::from(directive.opens()) - i32::from(directive == Directive::End);
+                    NodeKind::Directive(directive, NO_LINK)
+                }
                 None => return,
             },
             Rule::hash => NodeKind::Punct(Punct::Hash),
             Rule::punct => match Punct::from_text(text) {
-                Some(punct) => NodeKind::Punct(punct),
+                Some(punct) => {
+                    self.depth += match punct {
+                        Punct::OpenBrace | Punct::OpenBracket | Punct::OpenParen => 1,
+                        Punct::CloseBrace | Punct::CloseBracket | Punct::CloseParen => -1,
+                        _ => 0,
+                    };
+                    NodeKind::Punct(punct)
+                }
                 None => return,
             },
             Rule::bad_number => {
@@ -267,6 +295,27 @@ mod tests {
     fn a_vector_of_plain_numbers_is_one_node() {
         let (tree, _) = read("<1, -2.5 , +3e2,> <1 -1 0> <1,2,3,4,5,6> <1,2>= 3");
         assert_eq!(tree.vectors, [NumberVector { values: [1.0, -2.5, 300.0, 0.0, 0.0], len: 3 }]);
+    }
+
+    #[test]
+    fn what_is_nested_without_end_is_not_read_to_its_end() {
+        for opener in ["(", "{", "[", "#if(1)", "#while(1)"] {
+            let (tree, _) = read(&opener.repeat(1_000_000));
+            assert_eq!(tree.errors.len(), 1, "{opener}");
+            assert!(tree.nodes.len() < 10 * DEEPEST as usize, "{opener}: {}", tree.nodes.len());
+        }
+    }
+
+    #[test]
+    fn a_vector_can_be_read_as_marks_and_numbers() {
+        let text = "x<1, -.5>y";
+        let source = Source::new("a.pov", "", text.into());
+        let mut symbols = Symbols::new([]);
+        let span = Span { file: FileId(0), start: 1, end: 9 };
+        let tree = parse_marks(span, &source, &mut symbols);
+        let found: Vec<&str> =
+            tree.nodes.iter().map(|node| &text[node.start as usize..node.end as usize]).collect();
+        assert_eq!((found, tree.numbers), (vec!["<", "1", ",", "-", ".5", ">"], vec![1.0, 0.5]));
     }
 
     #[test]

@@ -236,6 +236,11 @@ pub struct Tree {
 }
 
 impl Tree {
+    /// A file without tokens.
+    pub fn empty(file: FileId) -> Tree {
+        Tree { file, nodes: Vec::new(), numbers: Vec::new(), vectors: Vec::new(), errors: Vec::new() }
+    }
+
     /// The span of the node at an index, or the empty one at the end of the text.
     pub fn span(&self, index: usize) -> Span {
         match self.nodes.get(index) {

@@ -1,5 +1,6 @@
 //! User functions, compiled (docs/spec/language.md 4). Nothing is allocated when one is called.
 
+mod budget;
 pub mod internal;
 pub mod tape;
 
@@ -7,6 +8,7 @@ use std::sync::Arc;
 
 use super::sample::{Colors, Field, Sample};
 use crate::math::{DVec3, Spline, Transform, tally};
+pub use budget::Budget;
 pub use internal::Internal;
 pub use tape::Tape;
 
@@ -44,7 +46,7 @@ impl Function {
         match &self.body {
             Body::Tape(tape) => {
                 tally::functions(1);
-                tape.run(arguments)
+                tape.run(arguments, &Budget::default())
             }
             Body::Internal(internal) => {
                 tally::functions(1);
@@ -61,7 +63,17 @@ impl Function {
 
     /// Fills in the components of the value and returns how many there are.
     pub fn call_vector(&self, arguments: &[f64], components: &mut [f64; 5]) -> usize {
+        self.call_within(arguments, components, &Budget::default())
+    }
+
+    /// The same, spending what is left of a budget. When nothing is left the value is NaN.
+    pub fn call_within(&self, arguments: &[f64], components: &mut [f64; 5], budget: &Budget) -> usize {
         match &self.body {
+            Body::Tape(tape) => {
+                tally::functions(1);
+                components[0] = tape.run(arguments, budget);
+                1
+            }
             Body::Pigment(pigment) => {
                 *components = pigment.color(&Sample::at(point(arguments))).to_array().map(f64::from);
                 5

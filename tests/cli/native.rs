@@ -205,3 +205,29 @@ fn help_and_version_go_to_standard_output() {
         assert!(answer.err.is_empty(), "{line}: {}", answer.err);
     }
 }
+
+#[test]
+fn the_memory_a_scene_takes_is_bounded() {
+    let desk = Desk::new();
+    let start = "#version 3.7; global_settings { assumed_gamma 1 } #declare R = seed(1);
+        #declare S = \"xxxxxxxxxxxxxxxx\"; #for (I, 1, 16) #declare S = concat(S, S); #end ";
+    let check = |text: &str| {
+        desk.write("m.pov", &format!("{start}{text}"));
+        desk.povista("check m.pov --max-memory 100")
+    };
+    for text in [
+        "#declare A = array[1000]; #for (I, 0, 999) #declare A[I] = concat(S, \"y\"); #end",
+        "#declare A = array[4000000];",
+        "#declare A = array[2000000]; #declare B = A; #declare B[0] = 1;",
+        "#while (rand(R) < 2) sphere { 0, 1 texture { pigment { rgb rand(R) } } } #end",
+        "mesh { #while (rand(R) < 2) triangle { 0, x, y*rand(R) } #end }",
+    ] {
+        let answer = check(text);
+        assert_eq!(answer.code, Some(1), "{text}");
+        let told = String::from_utf8_lossy(&answer.out).into_owned();
+        assert!(told.contains("more than 100 MB of memory"), "{text}: {told}");
+    }
+    // What is forgotten does not count.
+    let answer = check("#for (I, 1, 1000) #declare A = array[100000]; #declare A[0] = 1; #undef A #end");
+    assert_eq!(answer.code, Some(0), "{}", answer.err);
+}

@@ -1,4 +1,4 @@
-use super::probe;
+use super::{better, probe};
 
 #[test]
 fn declarations_that_are_refused() {
@@ -61,7 +61,7 @@ fn calls_give_what_pov_ray_gives() {
         ("#declare f=function{transform{translate <1,2,3> scale 2}}; V(f(1,1,1))", "4,6,8"),
         (
             "#declare f=function(x){x*image_width}; F(f(2)) #declare C=5; #declare g=function(x){C*x}; #declare C=6; F(g(2))",
-            "1600 10",
+            "16 10",
         ),
         (
             "#declare f=function{pigment{gradient x color_map{[0 rgb <1,2,3>][1 rgbft <3,4,5,6,7>]}}} V5(f(.5,0,0))",
@@ -84,5 +84,50 @@ fn compiled_things_answer_as_pov_ray_does() {
         ("#declare B=sphere{0,1 scale <1,2,3>} V(min_extent(B)) V(max_extent(B))", "-1,-2,-3 1,2,3"),
         ("#declare B=sphere{0,1} V(trace(B,-10*z,z,N))", "E"),
         ("V(trace(sphere{0,1},-10*z,z))", "E"),
+    ]);
+}
+
+/// docs/spec/language.md 4.2: a function that calls itself works as long as it ends.
+#[test]
+fn functions_may_call_themselves() {
+    probe(&[
+        ("#declare f=function(x){select(x,0,1,f(x-1)*x)} F(f(5))", "120 P"),
+        ("#declare f=function(x){select(x-2,1,f(x-1)+f(x-2))} F(f(10))", "89 P P"),
+        ("#declare f=function(x,y){select(x,0,y,f(x-1,y*x))} F(f(5,1))", "120 P"),
+        ("#declare f=function(x){select(x,1,f(x-1,2))}", "E"),
+        ("#declare f=function(x){sum(i,1,1e6,i)} F(f(1))", "500000500000"),
+    ]);
+    // POV-Ray crashes or hangs here.
+    better(&[
+        ("#declare f=function(x){f(x-1)+1} F(f(1))", "P E"),
+        ("#declare f=function(x){select(x,1,f(x-1)+f(x-1))} F(f(60))", "P P E"),
+        ("#declare f=function(x){sum(i,0,x,i)} F(f(1e300))", "E"),
+        ("#declare f=function(x){prod(i,0,1e300,i)}", "E"),
+    ]);
+}
+
+/// After an operand `<` compares, even where a vector could be read.
+#[test]
+fn a_vector_in_a_function_is_two_comparisons() {
+    let g = "#declare g=function(x,y,z){x+10*y+100*z}";
+    probe(&[
+        (&format!("{g} #declare f=function(x,y){{g(x<1,2,3>y)}} F(f(0,1)) F(f(2,9))"), "121 20"),
+        (&format!("{g} #declare f=function(x,y){{g(x*2<+1,-2,3>y+1)}} F(f(0,1)) F(f(2,9))"), "81 -20"),
+        ("#declare f=function(x,y){min(x<-1,2>y)} #for(I,-2,0) F(f(I,1)) #end", "1 0 0"),
+        ("#declare f=function(x,y){x<1,2>y}", "E"),
+        ("#declare f=function(x,y){<1,2>y}", "E"),
+        ("#declare f=function(x,y){sum(i x y i)}", "E"),
+    ]);
+}
+
+#[test]
+fn numbers_beside_each_other_are_combined_before_a_zero_is_noticed() {
+    probe(&[
+        ("#declare f=function(x){1/0} F(f(0))", "inf"),
+        ("#declare f=function(x){1/0*x} F(f(0)) F(f(1))", "-nan inf"),
+        ("#declare f=function(x){x*1/0}", "E"),
+        ("#declare f=function(x){(1)/0}", "E"),
+        ("#declare f=function(x){1/(0)} F(f(0))", "inf"),
+        ("#declare f=function(x){acosh(x)} F(f(0))", "-nan"),
     ]);
 }

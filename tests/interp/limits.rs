@@ -1,9 +1,9 @@
-use super::probe;
+use super::{better, probe};
 
 #[test]
 fn nothing_nests_without_end() {
     let many = 1_000_000;
-    probe(&[
+    better(&[
         (&format!("F({}", "(".repeat(many)), "E"),
         (&format!("F({}1)", "-".repeat(many)), "E"),
         (&"/*".repeat(many), "E"),
@@ -18,6 +18,65 @@ fn nothing_nests_without_end() {
         (&format!("sphere {{ 0, 1 {}", "pigment { checker ".repeat(many / 10)), "E"),
         (&"texture { gradient x texture_map { [0 ".repeat(many / 10), "E"),
         (&"normal { average normal_map { [1 ".repeat(many / 10), "E"),
+    ]);
+}
+
+/// Each is seen not to end after a hundred turns, whatever it makes.
+#[test]
+fn loops_that_cannot_end_are_refused() {
+    let count = "#macro Count(n) #declare n=n+1; #end #macro Twice(n) Count(n) Count(n) #end ";
+    better(&[
+        ("#while(1) #end", "E"),
+        ("#while(1) sphere{0,1} #end", "E"),
+        ("#declare A=0; #while(1) #declare A=A+1; #if(A>1e9) sphere{0,A} #end #end", "E"),
+        ("#declare A=0; #while(A<1) sphere{A,1} #end", "E"),
+        ("#declare A=array[2]{0,1} #declare B=0; #while(A[1]>0) #declare B=B+1; #end", "E"),
+        ("#declare C=(0 #while(1) +1 #end);", "E"),
+        ("mesh{ #while(1) triangle{0,x,y} #end }", "E"),
+        (&format!("{count} #declare A=0; #declare B=0; #while(A<1) Twice(B) #end"), "E"),
+    ]);
+}
+
+#[test]
+fn loops_that_may_end_are_run() {
+    let count = "#macro Count(n) #declare n=n+1; #end #macro Twice(n) Count(n) Count(n) #end ";
+    probe(&[
+        ("#declare A=0; #while(A<200000) #declare A=A+1; #end F(A)", "200000"),
+        ("#declare A=0; #while(1) #declare A=A+1; #if(A>1000) #break #end #end F(A)", "1001"),
+        (&format!("{count} #declare A=0; #while(A<1000) Twice(A) #end F(A)"), "1000"),
+        ("#macro M(p) #while(p<1000) #declare Q=Q+1; #end #end #declare Q=0; M(Q) F(Q)", "1000"),
+        ("#declare R=seed(1); #declare I=0; #while(rand(R)<0.999) #declare I=I+1; #end F((I>100))", "1"),
+        ("#declare A=array[1]{0} #while(A[0]<1000) #declare A[0]=A[0]+1; #end F(A[0])", "1000"),
+        (
+            "#declare O=sphere{0,1} #declare N=<0,0,0>; #declare I=0; #while(vlength(N)=0) #declare I=I+1; \
+          #declare P=trace(O,<I/200-2.001,0,-5>,z,N); #end F(I)",
+            "201",
+        ),
+    ]);
+}
+
+/// What cannot be told beforehand is stopped by counting.
+#[test]
+fn loops_that_make_nothing_are_stopped() {
+    use povista::interp::check::check_with;
+    let options = povista::options::LanguageOptions { max_turns: 10_000, ..Default::default() };
+    let turns = |text: &str| {
+        let source = povista::source::Source::new("scene.pov", "", text.into());
+        check_with(source, Default::default(), &options).failed()
+    };
+    assert!(turns("#declare S=seed(1); #while(rand(S)<2) #end"));
+    assert!(turns("#macro M(n) #if(n>0) M(n-1) M(n-1) #end #end M(90)"));
+    assert!(turns("#for(I,0,1) #declare I=0; #end"));
+    // The same number of turns with something made in between.
+    assert!(!turns("#for(I,1,30000) #if(mod(I,5000)=0) sphere{0,I} #end #end"));
+    assert!(turns("#for(I,1,200000) #if(mod(I,5000)=0) sphere{0,I} #end #end"));
+}
+
+#[test]
+fn copies_of_copies_add_up() {
+    better(&[
+        ("#declare O=sphere{0,1} #for(I,1,60) #declare O=union{object{O} object{O}} #end", "E"),
+        ("#declare O=sphere{0,1} #for(I,1,20) #declare O=union{object{O} object{O}} #end F(1)", "1"),
     ]);
 }
 

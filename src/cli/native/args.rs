@@ -62,9 +62,12 @@ pub(super) struct Scene {
     /// Declare a constant for the scene, such as `Size=3` or `Name="text"`
     #[arg(long, value_name = "NAME=VALUE")]
     pub(super) declare: Vec<String>,
-    /// Stop a scene whose loops turn more often than this [default: 100000000]
+    /// Stop a scene whose loops turn more often than this without making anything, or ten times as often in all [default: 10000000]
     #[arg(long, value_name = "COUNT")]
     pub(super) max_turns: Option<u64>,
+    /// Stop a scene that takes more memory than this while it is read [default: 4096]
+    #[arg(long, value_name = "MEGABYTES")]
+    pub(super) max_memory: Option<u64>,
     /// Set the scene's `clock`
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) clock: Option<f32>,

@@ -44,6 +44,9 @@ pub(super) fn job(scene: &Scene, settings: &Settings) -> Result<Job, Problem> {
     if let Some(turns) = scene.max_turns {
         job.language.max_turns = turns;
     }
+    if let Some(megabytes) = scene.max_memory {
+        job.language.max_memory = megabytes.saturating_mul(1 << 20);
+    }
     Ok(job)
 }
 

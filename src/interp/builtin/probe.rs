@@ -23,6 +23,7 @@ use crate::scene::{Function, Object};
 use crate::source::Span;
 use crate::syntax::{Punct, Symbol};
 use crate::world;
+use crate::world::function::Budget;
 
 /// What has been compiled, by the address of the shared value, which is kept so that it stays its own.
 #[derive(Default)]
@@ -59,11 +60,28 @@ pub fn call(vm: &mut Vm, called: &Value, name: Symbol, span: Span) -> Result<Tup
                 })
             })?;
             let mut value = [0.0; 5];
-            let size = compiled.call_vector(&numbers, &mut value);
+            let budget = Budget::default();
+            let size = compiled.call_within(&numbers, &mut value, &budget);
+            check_end(vm, &budget, name, span)?;
             Ok(Tuple::new(&value[..size]))
         }
         _ => Err(vm.expected("a number or vector")),
     }
+}
+
+/// Makes sure that a function came to its end by itself.
+fn check_end(vm: &Vm, budget: &Budget, name: Symbol, span: Span) -> Result<()> {
+    let name = vm.name(name);
+    let span = span.to(vm.last);
+    if budget.is_too_deep() {
+        let fault = vm.error(span, format!("`{name}` calls itself more than {} levels deep", Budget::DEPTH));
+        return Err(fault.help("a `select` has to choose something else in the end"));
+    }
+    if budget.is_spent() {
+        let message = format!("`{name}` is not done after {} terms and calls", Budget::STEPS);
+        return Err(vm.error(span, message).help("does every `sum` and `prod` reach its end?"));
+    }
+    Ok(())
 }
 
 /// `inside(OBJECT, point)`, its name just taken.

@@ -58,6 +58,7 @@ impl Vm<'_> {
                 if text.len() > MOST_CHARACTERS {
                     return Err(self.error(token.span, "this string grows too long for memory"));
                 }
+                self.reserve(text.len(), token.span)?;
                 Ok(text)
             }
             _ => {

@@ -19,8 +19,8 @@ pub(in crate::interp) enum BlockKind {
     Arm { last: bool },
     /// A clause of a `#switch` runs.
     Clause { link: u32 },
-    /// `#while`: where the condition starts.
-    While { condition: usize, end: usize },
+    /// `#while`: where the condition starts, and the turns so far.
+    While { condition: usize, end: usize, turns: u32 },
     /// `#for`: the running name, its last value and step, and where the body starts.
     For { name: Symbol, last: f64, step: f64, body: usize, end: usize },
 }

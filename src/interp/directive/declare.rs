@@ -155,7 +155,10 @@ impl Vm<'_> {
             Some(place) => place.get(),
             None => self.lookup(target.symbol),
         };
-        let mut read = self.read_rvalue(None)?;
+        self.declaring = target.element.is_none().then_some(target.symbol);
+        let read = self.read_rvalue(None);
+        self.declaring = None;
+        let mut read = read?;
         if let Value::Function(function) = &mut read.value {
             Arc::make_mut(function).name = (&**self.symbols.name(target.symbol)).into();
         }
@@ -183,7 +186,13 @@ impl Vm<'_> {
                 self.scopes.find(target.symbol)
             }
         });
-        match known.cloned() {
+        let known = known.cloned();
+        if target.element.is_some() {
+            self.made_something();
+        }
+        let copied = known.as_ref().map_or(0, Place::copied_elements);
+        self.reserve(copied * size_of::<Option<Value>>(), target.span)?;
+        match known {
             Some(place) => place.set(value).map_err(|message| {
                 self.error(target.span, message).help("all elements of an array are of one kind")
             }),
@@ -260,6 +269,10 @@ impl Vm<'_> {
             TokenKind::Name(symbol) => self.read_named(token, symbol, alias),
             TokenKind::Number(_) | TokenKind::Vector(_) | TokenKind::Punct(_) => self.read_numbers(),
             TokenKind::Text => self.read_text(),
+            TokenKind::Word(Word::T) => {
+                let fault = self.expected("a value");
+                Err(fault.help("`t` cannot come first here: write `1*t`"))
+            }
             TokenKind::Word(word) if builtin::is_numeric(word) => self.read_numbers(),
             TokenKind::Word(word) if string::is_function(word) => self.read_text(),
             TokenKind::Word(word) if color::is_keyword(word) => {

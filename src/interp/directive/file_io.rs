@@ -98,6 +98,7 @@ impl Vm<'_> {
                 .error(at, "this file was opened for reading")
                 .help("open it with `write` or `append`"));
         };
+        self.made_something();
         let mut bytes = Vec::new();
         self.comma()?;
         while self.peek()?.kind != TokenKind::Punct(Punct::CloseParen) {

@@ -1,7 +1,7 @@
 //! `#include`, docs/spec/language.md 2.9.
 
+use crate::interp::code::Code;
 use crate::interp::limits::MOST_SCOPES;
-use crate::interp::program::Code;
 use crate::interp::stream::{Entered, Frame};
 use crate::interp::{Fault, Result, Vm};
 use crate::source::{FileId, Missing, Span};
@@ -23,8 +23,9 @@ impl Vm<'_> {
             Err(missing) => {
                 // What the file would have declared is missing from here on: reading further
                 // would only report that.
-                self.stopped = true;
-                return Err(self.missing_file(name, place, missing));
+                let fault = self.missing_file(name, place, missing);
+                self.stop();
+                return Err(fault);
             }
         };
         let tree = self.tree(file);

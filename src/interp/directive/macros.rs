@@ -1,7 +1,7 @@
 //! `#macro`: keeps a stretch of the file for later, docs/spec/language.md 2.8.
 
+use crate::interp::code::Macro;
 use crate::interp::limits::MOST_PARAMETERS;
-use crate::interp::macros::Macro;
 use crate::interp::scope::Place;
 use crate::interp::stream::TokenKind;
 use crate::interp::value::Value;

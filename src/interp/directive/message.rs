@@ -13,6 +13,7 @@ impl Vm<'_> {
             self.warn(span, message, "write `#debug`");
         }
         let text = self.read_message(directive)?;
+        self.made_something();
         self.sink.text(Stream::Debug, &cut(&text, 200, 156));
         Ok(())
     }

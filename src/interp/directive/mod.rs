@@ -3,6 +3,7 @@
 mod branch;
 mod declare;
 mod default;
+mod endless;
 mod file_io;
 mod include;
 mod macros;

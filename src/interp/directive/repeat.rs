@@ -1,6 +1,7 @@
 //! `#while` and `#for`, docs/spec/language.md 2.5. The body is read in place, turn after turn.
 
 use super::BlockKind;
+use super::endless::PATIENCE;
 use crate::interp::scope::Place;
 use crate::interp::stream::TokenKind;
 use crate::interp::tuple::truth;
@@ -10,6 +11,10 @@ use crate::source::Span;
 use crate::syntax::{Directive, NO_LINK, Punct};
 
 const EPSILON: f64 = 1e-10;
+/// How many times more turns are allowed in all than in a row without making anything.
+const BUSY: u64 = 10;
+/// Turns between two looks at how much memory is in use.
+const TURNS_UNNOTICED: u64 = 1024;
 
 impl Vm<'_> {
     /// `#while`, just read.
@@ -17,7 +22,7 @@ impl Vm<'_> {
         let end = self.loop_end(Directive::While, link, span)?;
         let condition = self.frame.pos;
         match self.condition_value(Directive::While) {
-            Ok(value) if truth(value) => self.push_block(BlockKind::While { condition, end }, span),
+            Ok(value) if truth(value) => self.push_block(BlockKind::While { condition, end, turns: 0 }, span),
             Ok(_) => {
                 self.frame.pos = end + 1;
                 Ok(())
@@ -28,14 +33,19 @@ impl Vm<'_> {
 
     /// `#end` of a `#while`: the condition is read again.
     pub(super) fn end_while(&mut self) -> Result<()> {
-        let Some(BlockKind::While { condition, end }) = self.blocks.last().map(|open| &open.kind) else {
-            return Ok(());
-        };
+        let Some(open) = self.blocks.last_mut() else { return Ok(()) };
+        let span = open.span;
+        let BlockKind::While { condition, end, turns } = &mut open.kind else { return Ok(()) };
         let (condition, end) = (*condition, *end);
-        let span = self.blocks.last().map_or(self.last, |open| open.span);
+        *turns = turns.saturating_add(1);
+        let suspicious = *turns == PATIENCE;
         self.turn(span)?;
         self.frame.pos = condition;
-        let value = self.condition_value(Directive::While);
+        let endless = if suspicious { self.endless(condition, end, span) } else { None };
+        let value = match endless {
+            Some(fault) => Err(fault),
+            None => self.condition_value(Directive::While),
+        };
         if !matches!(value, Ok(value) if truth(value)) {
             self.pop_block();
             self.frame.pos = end + 1;
@@ -147,13 +157,32 @@ impl Vm<'_> {
         Ok(())
     }
 
+    /// Notes that something was made: a statement, an element of an array, text.
+    #[inline]
+    pub(in crate::interp) fn made_something(&mut self) {
+        self.idle_turns = 0;
+    }
+
     /// Counts a turn of a loop or a call of a macro.
     pub(in crate::interp) fn turn(&mut self, span: Span) -> Result<()> {
         self.turns += 1;
-        if self.turns > self.options.max_turns {
-            let message = format!("still not done after {} turns of loops", self.options.max_turns);
+        self.idle_turns += 1;
+        let most = self.options.max_turns;
+        let runaway = if self.idle_turns > most {
+            Some(format!("loops turned {most} times here without making anything"))
+        } else if self.turns > most.saturating_mul(BUSY) {
+            Some(format!("still not done after {} turns of loops", self.turns - 1))
+        } else {
+            None
+        };
+        if let Some(message) = runaway {
             let fault = self.fatal(span, message).label("the loop that was running");
-            return Err(fault.help("does its condition ever become false?"));
+            return Err(
+                fault.help("does its condition ever become false? otherwise allow more with `--max-turns`")
+            );
+        }
+        if self.turns.is_multiple_of(TURNS_UNNOTICED) {
+            self.check_memory(0, span)?;
         }
         if self.stopped {
             return Err(Fault::reported());

@@ -23,12 +23,12 @@ impl Vm<'_> {
         let value = self.fit(value, 1, "a float", start)?.c[0];
         let semicolon = self.operator()? == Some(Punct::Semicolon);
         self.blocked = false;
+        let version = (100.0 * value + 0.5) as i32;
         if semicolon {
             self.next_raw();
-        } else {
+        } else if version >= 310 {
             self.possible(self.last.after(), "`#version` needs a `;` at its end", "add a `;` here");
         }
-        let version = (100.0 * value + 0.5) as i32;
         if version > NEWEST {
             let fault =
                 self.error(span.to(self.last), format!("version {value} of the language is not known"));

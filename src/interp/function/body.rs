@@ -2,17 +2,20 @@
 
 use super::table::builtin;
 use super::{Variable, axis};
+use crate::interp::limits::MOST_TERMS;
 use crate::interp::stream::{Token, TokenKind};
 use crate::interp::value::Value;
 use crate::interp::{Fault, Result, Vm, Word};
 use crate::scene::Function;
-use crate::scene::function::{BinaryOp, Expr, FunctionBody};
+use crate::scene::function::{BinaryOp, Builtin, Expr, FunctionBody};
 use crate::source::Span;
 use crate::syntax::{Punct, Symbol};
 use std::sync::Arc;
 
 /// What is known while the body of a function is read.
 pub(super) struct Body {
+    /// The name it is declared under.
+    pub(super) name: Option<Symbol>,
     pub(super) parameters: Vec<Variable>,
     /// The names `sum` and `prod` count with, outermost first.
     pub(super) running: Vec<Symbol>,
@@ -46,6 +49,7 @@ fn operator(level: usize, punct: Punct) -> Option<BinaryOp> {
     })
 }
 
+const COMPARISONS: usize = 2;
 const TIGHTEST: usize = 5;
 
 /// What an operator gives for two numbers: comparisons are exact here.
@@ -86,9 +90,6 @@ impl Body {
             if let (BinaryOp::Subtract, true, Expr::Constant(c)) = (op, right.plain, &mut right.expr) {
                 (*c, op) = (-*c, BinaryOp::Add);
             }
-            if let (BinaryOp::Divide, Expr::Constant(0.0), true) = (op, &right.expr, right.plain) {
-                return Err(vm.error(sign.to(vm.last), "division by zero in a function"));
-            }
             let left =
                 operands.last_mut().filter(|left| left.plain && right.plain && (level != 4 || !varies));
             if let (Some(left), Expr::Constant(b)) = (left, &right.expr)
@@ -96,6 +97,9 @@ impl Body {
             {
                 left.expr = Expr::Constant(compute(op, a, *b));
                 continue;
+            }
+            if let (BinaryOp::Divide, Expr::Constant(0.0), true) = (op, &right.expr, right.plain) {
+                return Err(vm.error(sign.to(vm.last), "division by zero in a function"));
             }
             operators.push(op);
             operands.push(right);
@@ -113,8 +117,13 @@ impl Body {
     }
 
     fn operator_at(&mut self, vm: &mut Vm, level: usize) -> Result<Option<BinaryOp>> {
-        Ok(match vm.peek()?.kind {
+        let token = vm.peek()?;
+        Ok(match token.kind {
             TokenKind::Punct(punct) => operator(level, punct),
+            TokenKind::Vector(_) if level == COMPARISONS => {
+                vm.split_vector(token.span);
+                Some(BinaryOp::Less)
+            }
             _ => None,
         })
     }
@@ -209,6 +218,11 @@ impl Body {
             let message = format!("`{}` takes {wanted}, but {} given", word.text(), arguments.len());
             return Err(vm.error(token.span.to(vm.last), message));
         }
+        if let (Builtin::Pow, [base, Expr::Constant(0.0)]) = (builtin, &arguments[..])
+            && !matches!(base, Expr::Constant(_))
+        {
+            vm.warn(token.span.to(vm.last), "a power of zero is always 1", "");
+        }
         Ok(Operand { expr: Expr::Call(builtin, arguments), plain: false, varies })
     }
 
@@ -218,18 +232,25 @@ impl Body {
         let token = vm.peek()?;
         let TokenKind::Name(name) = token.kind else { return Err(vm.expected("the name that counts")) };
         vm.take(token);
-        vm.comma()?;
+        vm.expect(Punct::Comma)?;
         let (from, to, term) = self.deeper(vm, open, |body, vm| {
             let from = body.expression(vm, 0)?;
-            vm.comma()?;
+            vm.expect(Punct::Comma)?;
             let to = body.expression(vm, 0)?;
-            vm.comma()?;
+            vm.expect(Punct::Comma)?;
             body.running.push(name);
             let term = body.expression(vm, 0);
             body.running.pop();
             Ok((from, to, term?))
         })?;
         vm.close_paren(open)?;
+        if let (Expr::Constant(first), Expr::Constant(last)) = (&from.expr, &to.expr)
+            && last - first > MOST_TERMS
+        {
+            let message =
+                format!("this `{}` has {:e} terms, more than can be computed", word.text(), last - first);
+            return Err(vm.error(token.span.to(vm.last), message));
+        }
         let varies = from.varies || to.varies || term.varies;
         let parts = Box::new([from.expr, to.expr, term.expr]);
         let expr = if word == Word::Sum { Expr::Sum(parts) } else { Expr::Product(parts) };
@@ -245,6 +266,10 @@ impl Body {
         if let Some(operand) = self.parameter(Variable::Name(symbol)) {
             vm.take(token);
             return Ok(operand);
+        }
+        if vm.place.is_none() && self.name == Some(symbol) {
+            vm.take(token);
+            return self.recursion(vm, symbol, token.span);
         }
         let value = match vm.place.clone() {
             Some(place) => match place.get() {
@@ -270,16 +295,26 @@ impl Body {
         }
     }
 
+    /// Reads the arguments of a function that calls itself; its name was just taken.
+    fn recursion(&mut self, vm: &mut Vm, symbol: Symbol, span: Span) -> Result<Operand> {
+        let (arguments, varies) = self.arguments(vm)?;
+        let name = vm.name(symbol).to_owned();
+        if arguments.len() != self.parameters.len() {
+            return Err(wrong_count(vm, &name, self.parameters.len(), arguments.len(), span));
+        }
+        vm.possible(
+            span.to(vm.last),
+            format!("function `{name}` calls itself, which POV-Ray does not support"),
+            "it has to end: `select` computes only the argument it chooses",
+        );
+        Ok(Operand { expr: Expr::Recursion(arguments), plain: false, varies })
+    }
+
     fn call(&mut self, vm: &mut Vm, function: Arc<Function>, span: Span) -> Result<Operand> {
         let (arguments, varies) = self.arguments(vm)?;
         if arguments.len() != function.parameters {
-            let message = format!(
-                "function `{}` takes {} arguments, but {} given",
-                function.name,
-                function.parameters,
-                arguments.len()
-            );
-            return Err(vm.error(span.to(vm.last), message).see(function.span, "the function"));
+            let fault = wrong_count(vm, &function.name, function.parameters, arguments.len(), span);
+            return Err(fault.see(function.span, "the function"));
         }
         let several = matches!(
             function.body,
@@ -352,6 +387,11 @@ impl Body {
     ) -> Result<T> {
         vm.nested(span, |vm| read(self, vm))
     }
+}
+
+/// The error for a call with too few or too many arguments, the last of which was just taken.
+fn wrong_count(vm: &Vm, name: &str, wanted: usize, given: usize, span: Span) -> Fault {
+    vm.error(span.to(vm.last), format!("function `{name}` takes {wanted} arguments, but {given} given"))
 }
 
 fn no_operand(vm: &mut Vm) -> Fault {

@@ -25,7 +25,9 @@ enum Variable {
 impl Vm<'_> {
     /// Reads `function {..}` as a value; the word is peeked.
     pub(super) fn read_function_value(&mut self) -> Result<Value> {
-        Ok(Value::Function(Arc::new(self.read_function()?)))
+        let name = self.declaring.take();
+        let keyword = self.next()?;
+        Ok(Value::Function(Arc::new(self.read_named_function(keyword, true, name)?)))
     }
 
     /// Reads `function (..) {..}`; the word is peeked. Without a list the parameters are x, y, z.
@@ -36,6 +38,16 @@ impl Vm<'_> {
 
     /// Reads what follows the word `function`. Bodies that are no expressions may be refused.
     pub(super) fn read_function_after(&mut self, keyword: Token, special: bool) -> Result<Function> {
+        self.read_named_function(keyword, special, None)
+    }
+
+    /// The same for a function that may call itself by a name.
+    fn read_named_function(
+        &mut self,
+        keyword: Token,
+        special: bool,
+        name: Option<Symbol>,
+    ) -> Result<Function> {
         let listed = self.peek()?.kind == TokenKind::Punct(Punct::OpenParen);
         let parameters = match listed {
             true => self.read_parameters()?,
@@ -61,7 +73,7 @@ impl Vm<'_> {
         let (body, parameters) = match special {
             Some(special) => special,
             None => {
-                let mut body = Body { parameters, running: Vec::new() };
+                let mut body = Body { name, parameters, running: Vec::new() };
                 (FunctionBody::Expression(body.expression(self, 0)?.expr), count)
             }
         };

@@ -2,8 +2,8 @@
 //!
 //! Whatever is rare is left to `expr`: then there is no program.
 
-use super::{Op, Program};
 use crate::interp::builtin::{self, float};
+use crate::interp::code::{Op, Program};
 use crate::interp::expr::{comparison, component};
 use crate::interp::scope::Place;
 use crate::interp::tuple::test;

@@ -1,12 +1,15 @@
 //! Running compiled expressions.
 
-use super::{MOST_FAILURES, Op, Program, Slot};
 use crate::interp::Vm;
+use crate::interp::code::{Op, Program, Slot};
 use crate::interp::scope::Place;
 use crate::interp::tuple::{Tuple, to_int, truth};
 use crate::interp::value::Value;
 use crate::syntax::Symbol;
 use std::rc::Rc;
+
+/// What gives up so often is not worth another try.
+const MOST_FAILURES: u8 = 8;
 
 impl Vm<'_> {
     /// The value of the expression at hand, if it was compiled before and can be computed that

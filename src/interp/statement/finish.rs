@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::color;
 use crate::interp::value::Value;
-use crate::interp::{Result, Vm, Word};
+use crate::interp::{Experimental, Result, Vm, Word};
 use crate::math::Rgb;
 use crate::scene::Finish;
 use crate::scene::texture::{Irid, LegacyFinish, Reflection, Subsurface};
@@ -39,6 +39,18 @@ pub(in crate::interp) fn block(vm: &mut Vm<'_>, base: &Arc<Finish>) -> Result<Ar
     Ok(shared)
 }
 
+/// Reads one item outside of a `finish`, if one comes next.
+pub(super) fn free_item(vm: &mut Vm<'_>, finish: &mut Arc<Finish>) -> Result<bool> {
+    let Some(word) = vm.peek_word()? else { return Ok(false) };
+    let (mut changed, mut albedo) = (Finish::clone(finish), Albedo::default());
+    let found = item(vm, &mut changed, &mut albedo, word)?;
+    if found {
+        scale(&mut changed, &albedo);
+        *finish = Arc::new(changed);
+    }
+    Ok(found)
+}
+
 fn item(vm: &mut Vm<'_>, finish: &mut Finish, albedo: &mut Albedo, word: Word) -> Result<bool> {
     match word {
         Word::Ambient => finish.ambient = vm.after_word(color::rgb)?,
@@ -50,6 +62,9 @@ fn item(vm: &mut Vm<'_>, finish: &mut Finish, albedo: &mut Albedo, word: Word) -
             vm.comma()?;
             if vm.at_number()? {
                 finish.diffuse_back = single(vm)?;
+            }
+            if finish.diffuse_back != 0.0 {
+                vm.note_experimental(Experimental::Backside);
             }
             finish.raw_diffuse = [finish.diffuse, finish.diffuse_back];
         }
@@ -82,7 +97,10 @@ fn item(vm: &mut Vm<'_>, finish: &mut Finish, albedo: &mut Albedo, word: Word) -
         Word::Reflection => reflection(vm, &mut finish.reflection)?,
         Word::ReflectionExponent => finish.reflection.exponent = vm.after_word(single)?,
         Word::Irid => finish.irid = Some(irid(vm)?),
-        Word::Subsurface => finish.subsurface = Some(subsurface(vm)?),
+        Word::Subsurface => {
+            vm.note_experimental(Experimental::Subsurface);
+            finish.subsurface = Some(subsurface(vm)?);
+        }
         Word::Ior | Word::Refraction | Word::Caustics => {
             legacy(vm, &mut finish.legacy, word)?;
         }

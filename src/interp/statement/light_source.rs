@@ -37,6 +37,17 @@ pub(super) fn read(vm: &mut Vm<'_>, block: Block) -> Result<Object> {
         }
     }
     vm.close(block)?;
+    if let Some(area) = &mut light.area
+        && area.orient
+        && !area.circular
+    {
+        vm.warn(
+            block.span,
+            "only a circular area light can `orient`, so this one is circular now",
+            "write `circular` too",
+        );
+        area.circular = true;
+    }
     Ok(Object::new(block.span, Shape::Light(Arc::new(light))))
 }
 
@@ -149,7 +160,7 @@ fn area_option(vm: &mut Vm<'_>, light: &mut Light, word: Word) -> Result<()> {
     };
     let Some(area) = &mut light.area else {
         let what = word.text();
-        if word == Word::Circular {
+        if word == Word::Circular && vm.peek_word()? != Some(Word::AreaLight) {
             return Err(vm
                 .error(place, "`circular` comes before `area_light`")
                 .help("write `area_light` and its size first"));

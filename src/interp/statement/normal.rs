@@ -86,19 +86,8 @@ fn read(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>, bumps: &mut Bumps) -> Resul
                 no_bump_scale,
             })));
         }
-        Some(Word::BumpMap) => {
-            let inner = vm.enter()?;
-            let mut amount = None;
-            let map = Arc::new(image::bumps(vm, &mut amount)?);
-            vm.close(inner)?;
-            let field = Field::new(inner.span, Pattern::Image(Arc::clone(&map)));
-            let field = Arc::new(replaced(normal.as_deref(), field));
-            normal = Some(changed(vm, normal.as_deref(), NormalKind::Bumps { field, map }, amount));
-        }
         Some(_) => {
-            if let Some(field) = pattern::read(vm, Owner::Normal)? {
-                normal = Some(with_pattern(vm, normal.as_deref(), field)?);
-            }
+            start(vm, &mut normal)?;
         }
         // After the name of a normal a number is its amount too.
         None => {
@@ -114,6 +103,27 @@ fn read(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>, bumps: &mut Bumps) -> Resul
         check(vm, normal)?;
     }
     Ok(normal)
+}
+
+/// Reads a picture or a pattern and how deep its bumps are, if one comes next.
+pub(super) fn start(vm: &mut Vm<'_>, normal: &mut Option<Arc<Normal>>) -> Result<bool> {
+    if vm.peek_word()? == Some(Word::BumpMap) {
+        let inner = vm.enter()?;
+        let mut amount = None;
+        let map = Arc::new(image::bumps(vm, &mut amount)?);
+        vm.close(inner)?;
+        let field = Field::new(inner.span, Pattern::Image(Arc::clone(&map)));
+        let field = Arc::new(replaced(normal.as_deref(), field));
+        *normal = Some(changed(vm, normal.as_deref(), NormalKind::Bumps { field, map }, amount));
+        return Ok(true);
+    }
+    match pattern::read(vm, Owner::Normal)? {
+        Some(field) => {
+            *normal = Some(with_pattern(vm, normal.as_deref(), field)?);
+            Ok(true)
+        }
+        None => Ok(false),
+    }
 }
 
 fn replaced(base: Option<&Normal>, field: Field) -> Field {
@@ -173,48 +183,58 @@ pub(super) fn flat() -> Arc<Normal> {
 }
 
 fn modifiers(vm: &mut Vm<'_>, normal: &mut Option<Arc<Normal>>, bumps: &mut Bumps) -> Result<()> {
-    while let Some(word) = vm.peek_word()? {
-        match word {
-            Word::SlopeMap => {
-                let place = vm.here()?;
-                let slopes = Some(map::slopes(vm)?);
-                let field = mapped(vm, normal.as_deref(), word, place)?;
-                set_kind(normal, NormalKind::Pattern { field, slopes });
-            }
-            Word::NormalMap => {
-                let place = vm.here()?;
-                let field = normal.as_deref().and_then(Normal::field);
-                let average = field.is_some_and(|field| matches!(field.pattern, Pattern::Average));
-                let map = map::normals(vm, average)?;
-                let field = mapped(vm, normal.as_deref(), word, place)?;
-                set_kind(normal, NormalKind::Normals { field, map });
-            }
-            Word::BumpSize | Word::Accuracy => {
-                let value = vm.after_word(Vm::read_float)? as f32;
-                let (amount, accuracy) = match normal.as_mut().map(Arc::make_mut) {
-                    Some(normal) => (&mut normal.amount, &mut normal.accuracy),
-                    None => (&mut bumps.amount, &mut bumps.accuracy),
-                };
-                *(if word == Word::BumpSize { amount } else { accuracy }) = value;
-            }
-            Word::NoBumpScale => {
-                vm.next()?;
-                match normal {
-                    Some(normal) => Arc::make_mut(normal).no_bump_scale = true,
-                    None => bumps.no_bump_scale = true,
-                }
-            }
-            _ if pattern::is_modifier(word) => {
-                let field = normal.as_mut().and_then(|normal| Arc::make_mut(normal).field_mut());
-                match field {
-                    Some(field) => pattern::modifier(vm, Arc::make_mut(field))?,
-                    None => pattern::modifier(vm, &mut Field::new(vm.last, Pattern::Bumps))?,
-                };
-            }
-            _ => break,
-        }
-    }
+    while one_modifier(vm, normal, bumps)? {}
     Ok(())
+}
+
+fn one_modifier(vm: &mut Vm<'_>, normal: &mut Option<Arc<Normal>>, bumps: &mut Bumps) -> Result<bool> {
+    let Some(word) = vm.peek_word()? else { return Ok(false) };
+    match word {
+        Word::SlopeMap => {
+            let place = vm.here()?;
+            let slopes = Some(map::slopes(vm)?);
+            let field = mapped(vm, normal.as_deref(), word, place)?;
+            set_kind(normal, NormalKind::Pattern { field, slopes });
+        }
+        Word::NormalMap => {
+            let place = vm.here()?;
+            let field = normal.as_deref().and_then(Normal::field);
+            let average = field.is_some_and(|field| matches!(field.pattern, Pattern::Average));
+            let map = map::normals(vm, average)?;
+            let field = mapped(vm, normal.as_deref(), word, place)?;
+            set_kind(normal, NormalKind::Normals { field, map });
+        }
+        Word::BumpSize | Word::Accuracy => {
+            let value = vm.after_word(Vm::read_float)? as f32;
+            let (amount, accuracy) = match normal.as_mut().map(Arc::make_mut) {
+                Some(normal) => (&mut normal.amount, &mut normal.accuracy),
+                None => (&mut bumps.amount, &mut bumps.accuracy),
+            };
+            *(if word == Word::BumpSize { amount } else { accuracy }) = value;
+        }
+        Word::NoBumpScale => {
+            vm.next()?;
+            match normal {
+                Some(normal) => Arc::make_mut(normal).no_bump_scale = true,
+                None => bumps.no_bump_scale = true,
+            }
+        }
+        _ if pattern::is_modifier(word) => {
+            let field = normal.as_mut().and_then(|normal| Arc::make_mut(normal).field_mut());
+            match field {
+                Some(field) => pattern::modifier(vm, Arc::make_mut(field))?,
+                None => pattern::modifier(vm, &mut Field::new(vm.last, Pattern::Bumps))?,
+            };
+        }
+        _ => return Ok(false),
+    }
+    Ok(true)
+}
+
+/// Reads one of the words that follow a pattern, if one comes next.
+pub(super) fn modifier(vm: &mut Vm<'_>, normal: &mut Option<Arc<Normal>>) -> Result<bool> {
+    let mut bumps = vm.state.bumps;
+    one_modifier(vm, normal, &mut bumps)
 }
 
 fn set_kind(normal: &mut Option<Arc<Normal>>, kind: NormalKind) {

@@ -39,36 +39,16 @@ fn inside(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigm
     })?;
     let mut given = named.is_some() || !Arc::ptr_eq(base, &vm.state.unset);
     let mut pigment = named.unwrap_or_else(|| Arc::clone(base));
-    if vm.at_color()? {
-        given = true;
-        pigment = Arc::new(Pigment {
-            kind: PigmentKind::Color(color::rgbft(vm)?),
-            quick_color: pigment.quick_color,
-        });
-    } else {
-        match vm.peek_word()? {
-            Some(Word::UvMapping) => {
-                vm.next()?;
-                let inner = body(vm, base, owner)?;
-                let quick_color = inner.quick_color;
-                return Ok(Arc::new(Pigment { kind: PigmentKind::UvMapped(inner), quick_color }));
-            }
-            Some(Word::ImageMap) => {
-                let inner = vm.enter()?;
-                let map = Arc::new(image::map(vm, image::Usage::Pigment)?);
-                vm.close(inner)?;
-                let field = replaced(&pigment, Field::new(inner.span, Pattern::Image(Arc::clone(&map))));
-                Arc::make_mut(&mut pigment).kind = PigmentKind::Image { field: Arc::new(field), map };
-                given = true;
-            }
-            Some(_) => {
-                if let Some(field) = pattern::read(vm, owner)? {
-                    pigment = with_pattern(vm, &pigment, field, owner)?;
-                    given = true;
-                }
-            }
-            None => refuse_numbers(vm, owner)?,
+    match vm.peek_word()? {
+        Some(Word::UvMapping) => {
+            vm.next()?;
+            let inner = body(vm, base, owner)?;
+            let quick_color = inner.quick_color;
+            return Ok(Arc::new(Pigment { kind: PigmentKind::UvMapped(inner), quick_color }));
         }
+        _ if start(vm, &mut pigment, owner)? => given = true,
+        Some(_) => {}
+        None => refuse_numbers(vm, owner)?,
     }
     if !given && matches!(pigment.kind, PigmentKind::Color(_)) && owner == Owner::Pigment {
         let place = vm.here()?;
@@ -78,6 +58,33 @@ fn inside(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigm
     modifiers(vm, &mut pigment, owner, given)?;
     check(vm, &pigment)?;
     Ok(pigment)
+}
+
+/// Reads a colour, a picture or a pattern, if one comes next.
+pub(super) fn start(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner) -> Result<bool> {
+    if vm.at_color()? {
+        let kind = PigmentKind::Color(color::rgbft(vm)?);
+        *pigment = Arc::new(Pigment { kind, quick_color: pigment.quick_color });
+        return Ok(true);
+    }
+    match vm.peek_word()? {
+        Some(Word::ImageMap) => {
+            let inner = vm.enter()?;
+            let map = Arc::new(image::map(vm, image::Usage::Pigment)?);
+            vm.close(inner)?;
+            let field = replaced(pigment, Field::new(inner.span, Pattern::Image(Arc::clone(&map))));
+            Arc::make_mut(pigment).kind = PigmentKind::Image { field: Arc::new(field), map };
+            Ok(true)
+        }
+        Some(_) => match pattern::read(vm, owner)? {
+            Some(field) => {
+                *pigment = with_pattern(vm, pigment, field, owner)?;
+                Ok(true)
+            }
+            None => Ok(false),
+        },
+        None => Ok(false),
+    }
 }
 
 /// A pigment cannot be plain numbers.
@@ -144,57 +151,61 @@ fn default(vm: &Vm<'_>, owner: Owner) -> Arc<Pigment> {
 
 /// Reads what follows colour or pattern; `given` says that there was one.
 fn modifiers(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner, given: bool) -> Result<()> {
-    // A plain colour takes modifiers too, and has no use for them.
-    let mut unused = None;
-    while let Some(word) = vm.peek_word()? {
-        match word {
-            Word::ColorMap | Word::ColourMap => {
-                let place = vm.here()?;
-                let map = map::colors(vm)?;
-                if !given && pigment.field().is_none() {
-                    continue;
-                }
-                let field = mapped(vm, pigment, word, place)?;
-                if matches!(field.pattern, Pattern::Average) {
-                    return Err(vm
-                        .error(place, "`average` mixes pigments, not colors")
-                        .help("write `pigment_map` instead of `color_map`"));
-                }
-                Arc::make_mut(pigment).kind = PigmentKind::Colors { field, map: Some(map) };
-            }
-            Word::PigmentMap | Word::DensityMap
-                if (word == Word::DensityMap) == (owner == Owner::Density) =>
-            {
-                let place = vm.here()?;
-                let average = pigment.field().is_some_and(|field| matches!(field.pattern, Pattern::Average));
-                let map = map::pigments(vm, owner, &default(vm, owner), average)?;
-                if !given && pigment.field().is_none() {
-                    continue;
-                }
-                let field = mapped(vm, pigment, word, place)?;
-                Arc::make_mut(pigment).kind = PigmentKind::Pigments { field, map };
-            }
-            // Bumps are no concern of a pigment, but the word is taken.
-            Word::NoBumpScale => {
-                vm.next()?;
-            }
-            Word::QuickColor | Word::QuickColour => {
-                vm.next()?;
-                Arc::make_mut(pigment).quick_color = Some(color::rgbft(vm)?);
-            }
-            _ if pattern::is_modifier(word) => match Arc::make_mut(pigment).field_mut() {
-                Some(field) => {
-                    pattern::modifier(vm, Arc::make_mut(field))?;
-                }
-                None => {
-                    let field = unused.get_or_insert_with(|| Field::new(vm.last, Pattern::Bozo));
-                    pattern::modifier(vm, field)?;
-                }
-            },
-            _ => break,
-        }
-    }
+    while modifier(vm, pigment, owner, given)? {}
     Ok(())
+}
+
+/// Reads one of the words that follow colour or pattern, if one comes next.
+pub(super) fn modifier(
+    vm: &mut Vm<'_>,
+    pigment: &mut Arc<Pigment>,
+    owner: Owner,
+    given: bool,
+) -> Result<bool> {
+    let Some(word) = vm.peek_word()? else { return Ok(false) };
+    match word {
+        Word::ColorMap | Word::ColourMap => {
+            let place = vm.here()?;
+            let map = map::colors(vm)?;
+            if !given && pigment.field().is_none() {
+                return Ok(true);
+            }
+            let field = mapped(vm, pigment, word, place)?;
+            if matches!(field.pattern, Pattern::Average) {
+                return Err(vm
+                    .error(place, "`average` mixes pigments, not colors")
+                    .help("write `pigment_map` instead of `color_map`"));
+            }
+            Arc::make_mut(pigment).kind = PigmentKind::Colors { field, map: Some(map) };
+        }
+        Word::PigmentMap | Word::DensityMap if (word == Word::DensityMap) == (owner == Owner::Density) => {
+            let place = vm.here()?;
+            let average = pigment.field().is_some_and(|field| matches!(field.pattern, Pattern::Average));
+            let map = map::pigments(vm, owner, &default(vm, owner), average)?;
+            if !given && pigment.field().is_none() {
+                return Ok(true);
+            }
+            let field = mapped(vm, pigment, word, place)?;
+            Arc::make_mut(pigment).kind = PigmentKind::Pigments { field, map };
+        }
+        // Bumps are no concern of a pigment, but the word is taken.
+        Word::NoBumpScale => {
+            vm.next()?;
+        }
+        Word::QuickColor | Word::QuickColour => {
+            vm.next()?;
+            Arc::make_mut(pigment).quick_color = Some(color::rgbft(vm)?);
+        }
+        _ if pattern::is_modifier(word) => {
+            match Arc::make_mut(pigment).field_mut() {
+                Some(field) => pattern::modifier(vm, Arc::make_mut(field))?,
+                // A plain colour takes modifiers too, and has no use for them.
+                None => pattern::modifier(vm, &mut Field::new(vm.last, Pattern::Bozo))?,
+            };
+        }
+        _ => return Ok(false),
+    }
+    Ok(true)
 }
 
 /// The pattern a map is written for.

@@ -1,5 +1,6 @@
 //! `texture { … }` (docs/spec/language.md 6.8, docs/spec/patterns-textures.md 7).
 
+mod free_form;
 mod layers;
 mod patterned;
 
@@ -53,10 +54,14 @@ fn inside(vm: &mut Vm<'_>) -> Result<Texture> {
         }
         Some(texture) => plain(vm, texture),
         None => {
-            if let Some(texture) = patterned::body(vm)? {
+            let choice = matches!(vm.peek_word()?, Some(Word::Tiles | Word::MaterialMap));
+            if (choice || !free_form::applies(vm))
+                && let Some(texture) = patterned::body(vm)?
+            {
                 return Ok(texture);
             }
-            let default = vm.state.texture.clone();
+            let mut default = vm.state.texture.clone();
+            free_form::grain(vm, &mut default)?;
             plain(vm, default)
         }
     }
@@ -86,6 +91,7 @@ fn plain(vm: &mut Vm<'_>, mut texture: Texture) -> Result<Texture> {
                 vm.next()?;
                 keep_bump_depth(&mut texture);
             }
+            Some(_) if free_form::item(vm, &mut texture)? => {}
             Some(word) if pattern::is_pattern(word) => {
                 return Err(vm
                     .expected("`}`")
@@ -93,7 +99,7 @@ fn plain(vm: &mut Vm<'_>, mut texture: Texture) -> Result<Texture> {
             }
             Some(_) => return Ok(texture),
             None => {
-                if !layers::variable(vm, &mut texture)? {
+                if !layers::variable(vm, &mut texture)? && !free_form::item(vm, &mut texture)? {
                     return Ok(texture);
                 }
             }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Function, Internal};
+use super::{Budget, Function, Internal};
 
 /// A register's number. Parameters come first, intermediate values next, constants last.
 pub type Register = u16;
@@ -46,6 +46,8 @@ pub enum Code {
     Internal(Internal),
     /// The component with this index of a function of the registers from `a` on.
     Call(Arc<Function>, u8),
+    /// The tape itself, of the registers from `a` on.
+    Recursion,
     /// Goes on with this operation.
     Jump(u32),
     /// Goes on with this operation if `a` is less than 0.
@@ -92,16 +94,16 @@ impl Tape {
         })
     }
 
-    /// The value for these arguments; missing ones count as 0.
-    pub fn run(&self, arguments: &[f64]) -> f64 {
+    /// The value for these arguments; missing ones count as 0. NaN when the budget is spent.
+    pub fn run(&self, arguments: &[f64], budget: &Budget) -> f64 {
         if self.first_constant + self.constants.len() <= FEW {
-            self.run_in(&mut [0.0; FEW], arguments)
+            self.run_in(&mut [0.0; FEW], arguments, budget)
         } else {
-            self.run_in(&mut [0.0; MANY], arguments)
+            self.run_in(&mut [0.0; MANY], arguments, budget)
         }
     }
 
-    fn run_in(&self, r: &mut [f64], arguments: &[f64]) -> f64 {
+    fn run_in(&self, r: &mut [f64], arguments: &[f64], budget: &Budget) -> f64 {
         let given = arguments.len().min(self.parameters);
         r[..given].copy_from_slice(&arguments[..given]);
         r[self.first_constant..][..self.constants.len()].copy_from_slice(&self.constants);
@@ -129,8 +131,16 @@ impl Tape {
                 Code::Internal(internal) => internal.call(&r[usize::from(op.a)..]),
                 Code::Call(function, component) => {
                     let mut value = [0.0; 5];
-                    function.call_vector(&r[usize::from(op.a)..][..function.parameters], &mut value);
+                    if !budget.spend() {
+                        return f64::NAN;
+                    }
+                    let arguments = &r[usize::from(op.a)..][..function.parameters];
+                    function.call_within(arguments, &mut value, budget);
                     value.get(usize::from(*component)).copied().unwrap_or(0.0)
+                }
+                Code::Recursion => {
+                    let arguments = &r[usize::from(op.a)..][..self.parameters];
+                    budget.deeper(|| self.run(arguments, budget))
                 }
                 Code::Jump(target) => {
                     at = *target as usize;
@@ -145,7 +155,12 @@ impl Tape {
                     continue;
                 }
                 Code::IfUpTo(target) => {
-                    at = if a <= b { *target as usize } else { at };
+                    if a <= b {
+                        if !budget.spend() {
+                            return f64::NAN;
+                        }
+                        at = *target as usize;
+                    }
                     continue;
                 }
             };

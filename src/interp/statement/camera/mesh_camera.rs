@@ -1,13 +1,14 @@
 //! `mesh_camera { … }` (docs/spec/camera-image.md 5).
 
 use crate::interp::statement::object;
-use crate::interp::{Result, Vm, Word};
+use crate::interp::{Experimental, Result, Vm, Word};
 use crate::scene::Shape;
 use crate::scene::camera::MeshCamera;
 
 /// Reads the block; its keyword comes next.
 pub(super) fn read(vm: &mut Vm<'_>) -> Result<MeshCamera> {
     let block = vm.enter()?;
+    vm.note_experimental(Experimental::MeshCamera);
     let (rays, rays_place) = vm.located(Vm::read_count)?;
     vm.comma()?;
     let (distribution, place) = vm.located(Vm::read_int)?;

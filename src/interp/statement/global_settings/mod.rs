@@ -4,7 +4,7 @@ mod photons;
 mod radiosity;
 
 use super::color;
-use crate::interp::{Charset, Result, Vm, Word};
+use crate::interp::{Charset, Experimental, Result, Vm, Word};
 use crate::math::Gamma;
 use crate::scene::settings::SubsurfaceSettings;
 
@@ -65,7 +65,10 @@ fn item(vm: &mut Vm<'_>, word: Word) -> Result<bool> {
                 "ask for a grey picture on the command line: `+FNg16`",
             );
         }
-        Word::Subsurface => subsurface(vm)?,
+        Word::Subsurface => {
+            vm.note_experimental(Experimental::Subsurface);
+            subsurface(vm)?;
+        }
         Word::Photons => vm.state.settings.photons = Some(photons::block(vm)?),
         Word::Radiosity => radiosity::block(vm)?,
         _ => return Ok(false),

@@ -1,7 +1,7 @@
 //! `slope` (docs/spec/patterns-textures.md 2.8).
 
 use crate::interp::stream::TokenKind;
-use crate::interp::{Result, Vm, Word};
+use crate::interp::{Experimental, Result, Vm, Word};
 use crate::math::DVec3;
 use crate::scene::Pattern;
 use crate::scene::pattern::Slope;
@@ -24,6 +24,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
                 let fault = vm.error(vm.last, "`altitude` cannot be used with `point_at`");
                 return Err(fault.help("with `point_at` only the direction of the surface counts"));
             }
+            vm.note_experimental(Experimental::Slope);
             slope.altitude = Some(directed(vm)?);
         }
         vm.close(block)?;

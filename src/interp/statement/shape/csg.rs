@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::interp::limits::MOST_OBJECTS;
 use crate::interp::statement::object;
 use crate::interp::{Block, Result, Vm, Word};
 use crate::scene::shape::{Csg, CsgOperation};
@@ -32,9 +33,23 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<(Shape, ObjectFlags
             "a single object needs none",
         );
     }
+    let parts = children.iter().map(|child| parts(child)).fold(0, u64::saturating_add);
+    if parts > MOST_OBJECTS {
+        let message = format!("this `{}` has more than {MOST_OBJECTS} parts", block.keyword.text());
+        let fault = vm.error(block.span, message);
+        return Err(fault.help("copies of copies add up: does a loop double them?"));
+    }
     let textured = children.iter().any(|child| child.flags.contains(ObjectFlags::TEXTURED));
     let flags = if textured { ObjectFlags::TEXTURED } else { ObjectFlags::empty() };
-    Ok((Shape::Csg(Arc::new(Csg { operation, children, split_union: true })), flags))
+    Ok((Shape::Csg(Arc::new(Csg { operation, children, split_union: true, parts })), flags))
+}
+
+/// How many shapes an object consists of.
+fn parts(object: &Object) -> u64 {
+    match &object.shape {
+        Shape::Csg(csg) => csg.parts,
+        _ => 1,
+    }
 }
 
 /// Surfaces without an inside give no solid.

@@ -1,0 +1,33 @@
+//! Keeps a run within the memory it may use.
+
+use super::{Result, Vm};
+use crate::source::Span;
+use memory_stats::memory_stats;
+
+/// How much may be added before it is looked at how much there is.
+const UNNOTICED: usize = 16 << 20;
+
+/// The memory the program uses at present, in bytes; 0 where the system does not tell.
+pub(super) fn used() -> u64 {
+    memory_stats().map_or(0, |stats| stats.physical_mem as u64)
+}
+
+impl Vm<'_> {
+    /// Makes sure that so many bytes more are allowed.
+    pub(super) fn reserve(&mut self, bytes: usize, span: Span) -> Result<()> {
+        self.added = self.added.saturating_add(bytes);
+        if self.added < UNNOTICED { Ok(()) } else { self.check_memory(bytes, span) }
+    }
+
+    /// The same, whenever it is time to look.
+    pub(super) fn check_memory(&mut self, bytes: usize, span: Span) -> Result<()> {
+        self.added = 0;
+        let used = used().saturating_sub(self.memory_before);
+        if used.saturating_add(bytes as u64) <= self.options.max_memory {
+            return Ok(());
+        }
+        let message = format!("the scene needs more than {} MB of memory", self.options.max_memory >> 20);
+        let help = "does a loop make more and more here? otherwise allow more with `--max-memory`";
+        Err(self.fatal(span, message).help(help))
+    }
+}

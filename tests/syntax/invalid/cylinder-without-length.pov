@@ -1,0 +1,2 @@
+#version 3.7;
+cylinder { y, y, 0.5 }

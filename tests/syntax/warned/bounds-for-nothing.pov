@@ -1,0 +1,3 @@
+#version 3.7;
+global_settings { assumed_gamma 1 }
+sphere { 0, 1 bounded_by { box { -1, 1 } } }

@@ -1,0 +1,2 @@
+#version 3.6;
+sphere { 0, 1 }

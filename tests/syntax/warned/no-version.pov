@@ -1,0 +1,2 @@
+global_settings { assumed_gamma 1 }
+sphere { 0, 1 }
