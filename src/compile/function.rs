@@ -175,8 +175,8 @@ mod tests {
         // No call of itself ends this one.
         let endless = binary(BinaryOp::Add, Expr::Recursion(vec![less]), number(1.0));
         let budget = Budget::default();
-        let mut value = [0.0; 5];
-        let endless = super::function(&expression(1, endless)).unwrap();
+        let mut value = [0.0_f64; 5];
+        let endless = compile(&expression(1, endless)).unwrap();
         endless.call_within(&[1.0], &mut value, &budget);
         assert!(value[0].is_nan() && budget.is_too_deep());
     }
@@ -184,9 +184,9 @@ mod tests {
     #[test]
     fn endless_sums_come_to_an_end() {
         let sum = Expr::Sum(Box::new([number(0.0), parameter(0), number(1.0)]));
-        let sum = super::function(&expression(1, sum)).unwrap();
+        let sum = compile(&expression(1, sum)).unwrap();
         let budget = Budget::default();
-        let mut value = [0.0; 5];
+        let mut value = [0.0_f64; 5];
         sum.call_within(&[1e300], &mut value, &budget);
         assert!(value[0].is_nan() && budget.is_spent() && !budget.is_too_deep());
     }

@@ -103,7 +103,10 @@ impl Vm<'_> {
                         "write `filter`, or `transmit` if that was meant",
                     );
                 }
-                c[index] = self.read_float()?;
+                // Where operators are not looked for, they are not after a component either.
+                let start = self.peek()?.span;
+                let value = self.arith(1)?;
+                c[index] = self.fit(value, 1, "a float", start)?.c[0];
             } else {
                 break;
             }

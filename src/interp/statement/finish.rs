@@ -172,15 +172,16 @@ fn reflection(vm: &mut Vm<'_>, reflection: &mut Reflection) -> Result<()> {
     Ok(())
 }
 
+/// Reads 0 or 1, cut to an integer.
 fn fresnel(vm: &mut Vm<'_>) -> Result<bool> {
     if !vm.at_number()? {
         return Ok(true);
     }
-    let (value, place) = vm.located(Vm::read_float)?;
-    if value != 0.0 && value != 1.0 {
+    let (value, place) = vm.located(Vm::read_int)?;
+    if !(0..=1).contains(&value) {
         return Err(vm.error(place, format!("`fresnel` is on or off, not {value}")));
     }
-    Ok(value == 1.0)
+    Ok(value == 1)
 }
 
 fn irid(vm: &mut Vm<'_>) -> Result<Irid> {

@@ -9,10 +9,9 @@ use crate::scene::camera::MeshCamera;
 pub(super) fn read(vm: &mut Vm<'_>) -> Result<MeshCamera> {
     let block = vm.enter()?;
     vm.note_experimental(Experimental::MeshCamera);
+    // There are no commas between these numbers.
     let (rays, rays_place) = vm.located(Vm::read_count)?;
-    vm.comma()?;
     let (distribution, place) = vm.located(Vm::read_int)?;
-    vm.comma()?;
     if !(0..=3).contains(&distribution) {
         return Err(vm
             .error(place, format!("there is no mesh_camera of type {distribution}"))
