@@ -69,6 +69,9 @@ impl Vm<'_> {
                 return Err(self.error(open, format!("an array has at most {MOST_DIMENSIONS} dimensions")));
             }
             let value = self.inside(Vm::read_float)?;
+            if value > MOST_ELEMENTS as f64 {
+                return Err(self.error(open.to(self.last), "this array is too large for memory"));
+            }
             let size = to_int(value + 1e-10);
             if size < 1 {
                 return Err(self.error(open.to(self.last), format!("an array cannot have {size} elements")));

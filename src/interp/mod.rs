@@ -131,6 +131,8 @@ pub struct Vm<'a> {
     dropped_hash: Option<Span>,
     /// Braces that are open.
     depth: i32,
+    /// That so many are is suspicious, and was said.
+    warned_of_depth: bool,
     /// Loops that are open.
     loops: u32,
     /// Where compiled expressions calculate.
@@ -212,6 +214,7 @@ impl<'a> Vm<'a> {
             blocked: false,
             dropped_hash: None,
             depth: 0,
+            warned_of_depth: false,
             loops: 0,
             stack: Vec::new(),
             nesting: 0,

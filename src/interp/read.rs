@@ -86,7 +86,7 @@ impl Vm<'_> {
             let fault = self.error(token.span, format!("`{}` needs a `{{` here, found {found}", word.text()));
             return Err(fault.see(keyword.span, format!("this `{}`", word.text())));
         }
-        if self.depth == SUSPICIOUS_NESTING {
+        if self.depth == SUSPICIOUS_NESTING && !std::mem::replace(&mut self.warned_of_depth, true) {
             let message = format!("{SUSPICIOUS_NESTING} braces are open here");
             self.warn(token.span, message, "is one of them never closed?");
         }

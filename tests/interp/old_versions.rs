@@ -12,7 +12,6 @@ fn free_form_textures() {
         "color red 1 ambient 0.3 diffuse 0.7".to_owned(),
         "color red 1.0 green 0.5 phong 1.0 phong_size 10".to_owned(),
         format!("bozo {map} turbulence 0.5 ambient 0.3 bumps 0.3 scale <1 1 1>"),
-        "0.05 color red 1".to_owned(),
         "pigment { color red 1 } ambient 0.3".to_owned(),
         "color red 1 finish { ambient 0.3 }".to_owned(),
         "ambient 0.3 color red 1".to_owned(),
@@ -29,6 +28,7 @@ fn free_form_textures() {
     ];
     let mut rows = Vec::new();
     rows.extend(accepted.iter().map(|body| (texture("2.0", body), "")));
+    rows.push((texture("2.0", "0.05 color red 1"), "W"));
     rows.extend(refused.iter().map(|body| (texture("2.0", body), "E")));
     rows.extend(["3.0", "3.7"].map(|version| (texture(version, "color red 1 ambient 0.3"), "E")));
     let declared = "#version 2.0; #declare C = color red 1 #declare T = texture { C ambient 0.3 } \

@@ -32,7 +32,12 @@ impl Vm<'_> {
             [name] => format!("nothing in it changes {name}"),
             [names @ .., last] => format!("nothing in it changes {} or {last}", names.join(", ")),
         };
-        let help = "count its turns in a variable, and let the condition ask for that";
+        let help = match names.is_empty() {
+            true => "leave it with `#break`, or let the condition ask for something that changes",
+            false => {
+                "change one of them in the loop, such as by `#declare I = I + 1;`, or leave it with `#break`"
+            }
+        };
         Some(self.error(span, "this `#while` never ends").label(label).help(help))
     }
 

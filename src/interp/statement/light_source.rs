@@ -158,17 +158,18 @@ fn area_option(vm: &mut Vm<'_>, light: &mut Light, word: Word) -> Result<()> {
         Word::AreaIllumination => u32::from(vm.read_flag()?),
         _ => 1,
     };
+    let early = format!("`{}` comes before `area_light`", word.text());
+    let help = "write `area_light` and its size first";
+    if light.area.is_none() && word == Word::Circular && vm.accept(Word::AreaLight)? {
+        vm.warn(place, early.as_str(), help);
+        light.area = Some(area_light(vm)?);
+    }
     let Some(area) = &mut light.area else {
-        let what = word.text();
-        if word == Word::Circular && vm.peek_word()? != Some(Word::AreaLight) {
-            return Err(vm
-                .error(place, "`circular` comes before `area_light`")
-                .help("write `area_light` and its size first"));
+        match word {
+            Word::Circular => return Err(vm.error(place, early).help(help)),
+            Word::Adaptive | Word::Jitter => {}
+            _ => vm.warn(place, early, "it has no effect here"),
         }
-        if matches!(word, Word::Adaptive | Word::Jitter) {
-            return Ok(());
-        }
-        vm.warn(place, format!("`{what}` comes before `area_light`"), "it has no effect here");
         return Ok(());
     };
     match word {

@@ -20,7 +20,11 @@ pub(super) fn grain(vm: &mut Vm<'_>, texture: &mut Texture) -> Result<()> {
     if !applies(vm) || !vm.at_number()? || vm.at_color()? {
         return Ok(());
     }
-    let crand = vm.read_float()? as f32;
+    let (crand, place) = vm.located(Vm::read_float)?;
+    if vm.version >= 150 {
+        vm.warn(place, "a number at the start of a texture is its `crand`", "write `crand` before it");
+    }
+    let crand = crand as f32;
     let top = layers::top(vm, texture)?;
     std::sync::Arc::make_mut(&mut top.finish).crand = crand;
     Ok(())
