@@ -138,9 +138,8 @@ impl Parametric {
         } else {
             let across = [tile.from.x, tile.to.x].map(|u| self.point(DVec2::new(u, middle.y)));
             (low.to.y, high.from.y) = (middle.y, middle.y);
-            for u in 0..2 {
-                (low.corners[u][1], high.corners[u][0]) = (across[u], across[u]);
-            }
+            low.corners = [0, 1].map(|u| [tile.corners[u][0], across[u]]);
+            high.corners = [0, 1].map(|u| [across[u], tile.corners[u][1]]);
         }
         [low, high]
     }
