@@ -75,6 +75,6 @@ impl Eye<'_> {
             return [0.0; 4];
         };
         let ray = blur.ray(projected.ray.direction, index, jitter(x + 0.5, y - 0.5));
-        self.seen(tracer, self.world.camera.bend(ray, projected.parameters), (x, y))
+        self.seen(tracer, self.world.camera.bend(ray, projected.parameters), (x, y), f64::INFINITY)
     }
 }

@@ -24,15 +24,20 @@ pub use film::Image;
 pub use sampling::Sample;
 pub use stats::Statistics;
 
+use crate::math::DVec2;
 use crate::math::tally::Tally;
 use crate::options::{Region, RenderOptions};
 use crate::world::atmosphere::Alpha;
-use crate::world::camera::film;
+use crate::world::camera::mesh_camera::Place;
+use crate::world::camera::{MeshCamera, film};
 use crate::world::{Ray, RayKind, World};
 use quality::Quality;
 use random::Random;
 use refract::Inside;
 use trace::{Path, Tracer};
+
+/// What a pixel shows where the camera has no ray.
+const NOWHERE: Sample = [0.0, 0.0, 0.0, 1.0];
 
 /// Watches a rendering; called from its threads.
 pub trait Progress: Sync {
@@ -103,23 +108,41 @@ impl<'w> Eye<'w> {
     fn sample(&self, tracer: &mut Tracer, x: f64, y: f64) -> Sample {
         tracer.statistics.samples += 1;
         let camera = &self.world.camera;
+        if let Some(mesh) = &camera.mesh {
+            return self.from_mesh(tracer, mesh, x, y);
+        }
         if let Some(blur) = &camera.blur {
             return self.through_lens(tracer, blur, x, y);
         }
         match camera.ray(film(x, y, self.options.width, self.options.height)) {
-            Some(ray) => self.seen(tracer, ray, (x, y)),
-            None => [0.0, 0.0, 0.0, 1.0],
+            Some(ray) => self.seen(tracer, ray, (x, y), f64::INFINITY),
+            None => NOWHERE,
         }
     }
 
-    /// The colour and transmit along a ray through image coordinates.
-    fn seen(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64)) -> Sample {
+    /// The mean of what the rays see that start on faces of meshes.
+    fn from_mesh(&self, tracer: &mut Tracer, mesh: &MeshCamera, x: f64, y: f64) -> Sample {
+        let place = Place { at: DVec2::new(x, y), size: [self.options.width, self.options.height] };
+        let (mut sum, mut count) = ([0.0; 4], 0.0);
+        for index in 0..mesh.rays {
+            if let Some(ray) = mesh.ray(place, index) {
+                let ray = self.world.camera.bend(ray, DVec2::ZERO);
+                let seen = self.seen(tracer, ray, (x, y), mesh.reach);
+                sum.iter_mut().zip(seen).for_each(|(sum, component)| *sum += component);
+                count += 1.0;
+            }
+        }
+        if count > 0.0 { sum.map(|component| component / count) } else { NOWHERE }
+    }
+
+    /// The colour and transmit along a ray through image coordinates, up to some distance.
+    fn seen(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64), reach: f64) -> Sample {
         tracer.statistics.camera_rays += 1;
         tracer.random = Random::of_sample(x, y);
         let around = || Inside::of(self.world.interiors_around(ray.origin));
         let inside = self.inside.clone().unwrap_or_else(around);
-        let seen =
-            tracer.trace(Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, wavelength: None, inside });
+        let path = Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, wavelength: None, inside };
+        let seen = tracer.trace_within(path, reach);
         let [r, g, b] = seen.color.to_array();
         [r, g, b, seen.transmit]
     }

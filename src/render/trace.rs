@@ -82,7 +82,12 @@ impl<'w> Tracer<'w> {
 
     /// Traces a ray to its end. The tree of bent and mirrored rays is as deep as `max_trace_level`;
     /// straight transmission uses up no level, so it is a loop.
-    pub(super) fn trace(&mut self, mut path: Path) -> Seen {
+    pub(super) fn trace(&mut self, path: Path) -> Seen {
+        self.trace_within(path, f64::INFINITY)
+    }
+
+    /// The same for a ray that misses what is not nearer than `reach`.
+    pub(super) fn trace_within(&mut self, mut path: Path, mut reach: f64) -> Seen {
         let (mut color, mut transmit) = (Rgb::ZERO, 0.0);
         // What the way so far leaves of the light and of the transparency behind.
         let (mut left, mut clear) = (Rgb::ONE, 1.0);
@@ -91,7 +96,7 @@ impl<'w> Tracer<'w> {
         }
         path.level += 1;
         loop {
-            let hit = self.world.geometry.hit(&path.ray, Range::AHEAD, path.kind);
+            let hit = self.world.geometry.hit(&path.ray, Range { min: 0.0, max: reach }, path.kind);
             let veil = self.air(&path, hit.as_ref());
             color += left * veil.added;
             left *= veil.factor;
@@ -110,6 +115,7 @@ impl<'w> Tracer<'w> {
             left *= onward.left;
             clear *= onward.clear;
             path.ray = onward.ray;
+            reach = f64::INFINITY;
             path.weight = onward.weight;
             path.inside = onward.inside;
             if !self.allowed(&path) {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Normal, Pigment, shape::Mesh};
-use crate::math::DVec3;
+use crate::math::{DVec3, Transform};
 use crate::source::Span;
 
 /// A `camera` with its vectors assembled: `angle`, `look_at`, `sky` and the transforms have acted.
@@ -61,8 +61,8 @@ pub struct MeshCamera {
     pub distribution: u32,
     /// Largest distance, 0 for none (types 0 … 2), or the offset along the normal (type 3).
     pub max_distance: f64,
-    /// The meshes rays start from.
-    pub meshes: Vec<Arc<Mesh>>,
+    /// The meshes rays start from, and where they are; `None` is the identity.
+    pub meshes: Vec<(Arc<Mesh>, Option<Arc<Transform>>)>,
     /// Normals are interpolated.
     pub smooth: bool,
 }

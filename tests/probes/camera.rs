@@ -79,3 +79,31 @@ fn a_camera_normal_bends_its_rays() {
         assert!(close, "{camera} {pixel:?}: {ours:?}, observed {observed:?}");
     }
 }
+
+#[test]
+fn bokeh_places_rays_where_the_pigment_is_bright() {
+    let rows = [
+        ("rgb 1", [0.2968, 0.6311, 0.9266]),
+        ("rgb .3", [0.2923, 0.6195, 0.9272]),
+        ("rgb 0", [0.3122, 0.6359, 0.9297]),
+        ("gradient x color_map{[0 rgb 0][1 rgb 1]}", [0.2710, 0.6256, 0.9166]),
+        ("checker rgb 0 rgb 1 scale .5", [0.2998, 0.6345, 0.9216]),
+    ];
+    for (pigment, observed) in rows {
+        let lens = "aperture 3 focal_point 3*z blur_samples 30 variance 0";
+        let ours = sky(&format!("camera{{{lens} bokeh{{pigment{{{pigment}}}}}}}"), (4, 3))((0, 0));
+        for (ours, observed) in ours.into_iter().zip(observed) {
+            assert!((ours - observed).abs() < 1.01e-4, "{pigment}: {ours} not {observed}");
+        }
+    }
+}
+
+#[test]
+fn a_mesh_camera_without_a_face_for_a_pixel_shows_black() {
+    let mesh = "mesh{triangle{0,x,y} triangle{0,y,x}}";
+    for (kind, faces) in [(0, [true, true, false, false]), (1, [true, true, false, false])] {
+        let color = sky(&format!("camera{{mesh_camera{{1 {kind} {mesh}}}}}"), (2, 3));
+        let seen = [(0, 0), (1, 1), (0, 2), (1, 2)].map(|pixel| color(pixel) != [0.0; 3]);
+        assert_eq!(seen, faces, "type {kind}");
+    }
+}

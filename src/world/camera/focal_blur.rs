@@ -3,10 +3,11 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::Frame;
+use super::{Frame, bokeh};
 use crate::math::DVec2;
 use crate::math::confidence::thresholds;
 use crate::world::Ray;
+use crate::world::texture::Pigment;
 
 /// A lens and when enough rays went through it.
 #[derive(Clone, Debug)]
@@ -44,22 +45,21 @@ pub struct Lens {
 }
 
 impl FocalBlur {
-    /// The lens of a camera.
-    pub fn new(frame: &Frame, lens: &Lens) -> Self {
+    /// The lens of a camera; `bokeh` is its brightness over the unit square.
+    pub fn new(frame: &Frame, lens: &Lens, bokeh: Option<&Pigment>) -> Self {
         let most = lens.samples[1];
         let grid = Grid::of(most);
+        let (places, batches, spread) = match bokeh {
+            Some(pigment) => (bokeh::places(pigment, most as usize), &[][..], even_spread(most)),
+            None => (places(grid, most as usize), grid.batches, grid.spread(most)),
+        };
         Self {
             frame: *frame,
             radius: lens.aperture / 2.0,
             focus: lens.distance / frame.direction.length(),
-            places: places(grid, most as usize),
-            spread: match most {
-                7 => 0.144_338,
-                19 => 0.096_225,
-                37 => 0.072_168_8,
-                _ => 0.5 / f64::from(most).sqrt(),
-            },
-            batches: grid.batches,
+            places,
+            spread,
+            batches,
             min_samples: lens.samples[0],
             thresholds: thresholds(most, lens.confidence, lens.variance),
         }
@@ -111,6 +111,21 @@ impl Grid {
             37.. => Self { places: &HEXAGON_37, batches: &[7, 6, 6, 4, 4, 4, 4, 2] },
         }
     }
+
+    /// How far rays may leave their places where there are `count` of them.
+    fn spread(self, count: u32) -> f64 {
+        match count {
+            7 => 0.144_338,
+            19 => 0.096_225,
+            37 => 0.072_168_8,
+            _ => even_spread(count),
+        }
+    }
+}
+
+/// The same for places that are no grid.
+fn even_spread(count: u32) -> f64 {
+    0.5 / f64::from(count).sqrt()
 }
 
 const SQUARE: [(f64, f64); 4] = [(-0.25, 0.25), (0.25, 0.25), (-0.25, -0.25), (0.25, -0.25)];
@@ -219,7 +234,7 @@ fn places(grid: Grid, count: usize) -> Vec<DVec2> {
 }
 
 /// The digits of `n` mirrored at the point.
-fn radical_inverse(mut n: u64, base: u64) -> f64 {
+pub(super) fn radical_inverse(mut n: u64, base: u64) -> f64 {
     let (mut value, mut digit) = (0.0, 1.0 / base as f64);
     while n > 0 {
         value += (n % base) as f64 * digit;

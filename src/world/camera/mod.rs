@@ -1,9 +1,11 @@
 //! Cameras: one projection a file, all turning a place on the film into a ray
 //! (docs/spec/camera-image.md 2 and 4).
 
+mod bokeh;
 pub mod cylinder;
 pub mod fisheye;
 pub mod focal_blur;
+pub mod mesh_camera;
 pub mod omnimax;
 pub mod orthographic;
 pub mod panoramic;
@@ -14,6 +16,7 @@ pub mod ultra_wide_angle;
 pub use cylinder::Cylinder;
 pub use fisheye::Fisheye;
 pub use focal_blur::FocalBlur;
+pub use mesh_camera::MeshCamera;
 pub use omnimax::Omnimax;
 pub use orthographic::Orthographic;
 pub use panoramic::Panoramic;
@@ -45,6 +48,8 @@ pub struct Camera {
     pub projection: Projection,
     /// The lens, where pictures are blurred out of focus.
     pub blur: Option<FocalBlur>,
+    /// Takes the place of projection and lens.
+    pub mesh: Option<MeshCamera>,
     /// Bends the rays.
     pub normal: Option<Arc<Normal>>,
 }
@@ -152,7 +157,7 @@ impl Camera {
 
     /// Where all rays start; `None` where they don't start at one point.
     pub fn eye(&self) -> Option<DVec3> {
-        self.projection.eye().filter(|_| self.blur.is_none())
+        self.projection.eye().filter(|_| self.blur.is_none() && self.mesh.is_none())
     }
 }
 

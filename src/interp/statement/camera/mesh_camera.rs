@@ -30,7 +30,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<MeshCamera> {
         let Shape::Mesh(mesh) = &object.shape else {
             return Err(vm.error(object.span, "a mesh_camera takes meshes only"));
         };
-        camera.meshes.push(mesh.clone());
+        camera.meshes.push((mesh.clone(), object.transform.clone()));
         vm.comma()?;
     }
     if vm.accept(Word::Smooth)? {
