@@ -127,7 +127,8 @@ fn interiors(
     compiled
 }
 
-/// Notes which leaves and objects no light passes, so that shadow rays ask no further.
+/// Notes which leaves and objects no light passes, so that shadow rays ask no further, and which
+/// leaves all light passes.
 fn mark_opaque(flat: &mut Flat, textures: &[Texture]) {
     let opaque = |number: u32| textures[number as usize].is_opaque();
     for leaf in &mut flat.parts.leaves {
@@ -135,6 +136,15 @@ fn mark_opaque(flat: &mut Flat, textures: &[Texture]) {
             && leaf.texture.is_some_and(opaque)
             && leaf.interior_texture.is_none_or(opaque);
         leaf.flags.set(LeafFlags::OPAQUE, all);
+        let everywhere = |holds: fn(&Texture) -> bool| {
+            let single = |number: u32| holds(&textures[number as usize]);
+            leaf.own_textures.is_empty()
+                && leaf.texture.is_some_and(single)
+                && leaf.interior_texture.is_none_or(single)
+        };
+        let (clear, invisible) = (everywhere(Texture::is_clear), everywhere(Texture::is_invisible));
+        leaf.flags.set(LeafFlags::CLEAR, clear);
+        leaf.flags.set(LeafFlags::INVISIBLE, invisible);
     }
     let objects = flat.parts.objects.iter().map(|object| is_opaque(&flat.parts, object.member));
     let opaque: Vec<bool> = objects.collect();

@@ -28,8 +28,10 @@ impl Tracer<'_> {
     /// The light a layer sends to the eye from all lamps.
     pub(super) fn direct(&mut self, at: &mut At, surface: &Surface, position: DVec3) -> Rgb {
         let finish = surface.finish;
-        let answers =
-            finish.diffuse > 0.0 || finish.diffuse_back > 0.0 || finish.specular > 0.0 || finish.phong > 0.0;
+        // What lets all light pass has highlights only.
+        let scatters = (surface.opacity != 0.0 || finish.crand != 0.0)
+            && (finish.diffuse > 0.0 || finish.diffuse_back > 0.0);
+        let answers = scatters || finish.specular > 0.0 || finish.phong > 0.0;
         if !answers {
             return Rgb::ZERO;
         }

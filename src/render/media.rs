@@ -10,16 +10,20 @@ use smallvec::SmallVec;
 
 use super::refract::Inside;
 use super::trace::Tracer;
-use crate::math::Rgb;
 use crate::math::color::grey;
+use crate::math::{Bounds, DVec3, Rgb};
+use crate::world::accel::Hull;
 use crate::world::atmosphere::Veil;
 use crate::world::media::{Method, Sampling};
-use crate::world::{Media, Ray, World};
+use crate::world::{Light, Media, Range, Ray, World};
 use intervals::{Beam, Interval, intervals};
 use sample::Sample;
 
 /// When no more than this is left of the light from behind, what lies behind isn't looked at.
 const NOTHING: f32 = 1e-7;
+
+/// The part of a stretch at its ends that is without samples.
+const END: f64 = 1e-9;
 
 /// Media at one place: those of all interiors around it, or of the air.
 pub(super) type Mix<'w> = SmallVec<[&'w Media; 4]>;
@@ -51,6 +55,8 @@ struct March<'s, 'w> {
     scatters: bool,
     /// What a unit does, where it is the same everywhere but for lamps.
     uniform: Option<Sample>,
+    /// What a unit scatters, where that is the same everywhere.
+    scattered: Rgb,
 }
 
 /// The media of all interiors around a ray.
@@ -68,7 +74,7 @@ impl Tracer<'_> {
         if let (Some(uniform), false) = (march.uniform, glows) {
             return veil(Rgb::ZERO, transmittance(uniform.depth * stretch.length as f32));
         }
-        let beams = self.beams(stretch);
+        let beams = self.beams(stretch, march.rule, scatters);
         let march = March { beams, ..march };
         let (mut added, mut depth, mut left) = (Rgb::ZERO, Rgb::ZERO, Rgb::ONE);
         for interval in intervals(march.rule, &march.beams, stretch.length) {
@@ -124,15 +130,39 @@ impl Tracer<'_> {
     }
 
     /// The lamps that reach a stretch, and where (docs/spec/atmosphere-gi.md 2.5).
-    fn beams(&self, stretch: &Stretch) -> SmallVec<[Beam; 4]> {
+    fn beams(&self, stretch: &Stretch, rule: &Sampling, scatters: bool) -> SmallVec<[Beam; 4]> {
         let beam = |&number: &u32| {
             let light = &self.world.lights[number as usize];
             let takes_part = light.media_interaction && !light.shadowless;
             let reach = takes_part.then(|| light.reach(&stretch.ray, stretch.length))??;
-            Some(Beam { light: number, reach })
+            let hull = if scatters { bundle(stretch, rule, light, reach) } else { None };
+            let among = hull.and_then(|hull| self.world.geometry.between(&hull));
+            Some(Beam { light: number, reach, among })
         };
         stretch.lights.iter().filter_map(beam).collect()
     }
+}
+
+/// What encloses all ways from a stretch to a lamp; `None` where that isn't known.
+fn bundle(stretch: &Stretch, rule: &Sampling, light: &Light, reach: Range) -> Option<Hull> {
+    // Jitter may take samples out of their interval. Without it none lies on the very end, where a
+    // surface is.
+    let margin = stretch.length * if rule.jitter == 0.0 { -END } else { rule.jitter.abs() };
+    let ends = [reach.min - margin, reach.max + margin].map(|s| stretch.ray.at(s));
+    let mut points: SmallVec<[DVec3; 12]> = SmallVec::from_slice(&ends);
+    match &light.area {
+        Some(_) if light.parallel => return None,
+        Some(area) => {
+            points.push(light.location);
+            let radius = DVec3::splat(area.radius());
+            points.extend(Bounds::new(light.location - radius, light.location + radius).corners());
+        }
+        None => points.extend(ends.map(|end| {
+            let incident = light.reaching(end);
+            end + incident.distance * incident.direction
+        })),
+    }
+    points.iter().all(|point| point.is_finite()).then(|| Hull::new(points))
 }
 
 impl<'s, 'w> March<'s, 'w> {
@@ -154,7 +184,8 @@ impl<'s, 'w> March<'s, 'w> {
                 sum + Sample { source: density * media.emission, depth: density * media.extinction }
             })
         });
-        Self { stretch, rule, threshold, beams: SmallVec::new(), scatters, uniform }
+        let scattered = stretch.media.iter().map(|media| media.density.uniform * media.scattering).sum();
+        Self { stretch, rule, threshold, beams: SmallVec::new(), scatters, uniform, scattered }
     }
 }
 

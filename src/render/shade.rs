@@ -13,7 +13,7 @@ use super::trace::{Path, Seen, Tracer};
 use crate::math::color::grey;
 use crate::math::{DVec3, Rgb, Rgbft};
 use crate::world::hit::Hit;
-use crate::world::object::Leaf;
+use crate::world::object::{Leaf, LeafFlags};
 use crate::world::sample::Sample;
 use crate::world::texture::{Finish, Irid, Layer};
 use crate::world::{Intersection, Ray, RayKind};
@@ -38,7 +38,7 @@ pub(super) struct At<'a> {
 impl At<'_> {
     /// What lamps shine on.
     pub(super) fn target(&self) -> Target<'_> {
-        Target { surface: self.surface, inside: &self.path.inside }
+        Target { surface: self.surface, inside: &self.path.inside, among: None }
     }
 }
 
@@ -118,6 +118,19 @@ impl Tracer<'_> {
         let fade = interior.fade.filter(|_| path.inside.contains(leaf.interior));
         let fading = fade.map_or(Rgb::ONE, |fade| fade.attenuation(hit.t));
         let attenuation = fading * interior.refraction;
+        if leaf.flags.contains(LeafFlags::INVISIBLE) && self.quality.transmission && !self.quality.flat {
+            let passage = path.inside.pass(leaf.interior, &world.interiors);
+            if passage.is_straight() {
+                let onward = Onward {
+                    ray: Ray::new(surface.leave(path.ray.direction), path.ray.direction),
+                    weight: path.weight,
+                    inside: passage.inside,
+                    left: attenuation,
+                    clear: grey(attenuation),
+                };
+                return Shaded { color: Rgb::ZERO, transmit: 0.0, onward: Some(onward) };
+            }
+        }
         let mut at = At { path, surface, leaf, attenuation, passage: None, arrivals: None };
         let mut sum = Sum::default();
         textures::resolve(world, &path.ray, hit, &surface, &mut |weight, layers, sample| {

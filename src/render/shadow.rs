@@ -6,6 +6,7 @@ use super::trace::Tracer;
 use crate::math::{DVec2, DVec3, Rgb};
 use crate::world::hit::Hit;
 use crate::world::light::{AreaLight, Incident, is_dark};
+use crate::world::object::LeafFlags;
 use crate::world::{Intersection, Light, Range, Ray};
 
 /// Difference between corners of an area light's grid above which the part between is refined.
@@ -17,6 +18,8 @@ pub(super) struct Target<'a> {
     pub(super) surface: Intersection,
     /// What is around it.
     pub(super) inside: &'a Inside,
+    /// The only objects that may be in the way, where that is known.
+    pub(super) among: Option<&'a [u32]>,
 }
 
 /// A rectangle of an area light's grid, by the indices of its corners.
@@ -39,6 +42,11 @@ impl Tracer<'_> {
     pub(super) fn unblocked(&mut self, at: &Target, light: &Light, incident: &Incident) -> Rgb {
         if !self.quality.shadows || (light.shadowless && light.projected_through.is_none()) {
             self.statistics.lights_shadowless += 1;
+            return incident.color;
+        }
+        let nothing = at.among.is_some_and(<[u32]>::is_empty);
+        if nothing && light.projected_through.is_none() && !self.dims(light) {
+            self.statistics.lights_open += 1;
             return incident.color;
         }
         match &light.area {
@@ -111,7 +119,10 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let mut occluders = std::mem::take(&mut self.occluders);
-        self.blocker = geometry.occluders(&ray, range, &mut occluders);
+        self.blocker = match at.among {
+            Some(among) => geometry.occluders_among(among, &ray, range, &mut occluders),
+            None => geometry.occluders(&ray, range, &mut occluders),
+        };
         let color = if self.blocker.is_some() {
             Rgb::ZERO
         } else {
@@ -131,10 +142,7 @@ impl Tracer<'_> {
         distance: f64,
         occluders: &[Hit],
     ) -> Rgb {
-        let airy = self.quality.atmosphere
-            && light.media_attenuation
-            && light.media_interaction
-            && !self.world.atmosphere.is_clear();
+        let airy = self.dims(light);
         if occluders.is_empty() && !airy {
             return color;
         }
@@ -164,13 +172,26 @@ impl Tracer<'_> {
         color
     }
 
+    /// Whether the air takes of a lamp's light.
+    fn dims(&self, light: &Light) -> bool {
+        self.quality.atmosphere
+            && light.media_attenuation
+            && light.media_interaction
+            && !self.world.atmosphere.is_clear()
+    }
+
     /// What a transparent surface lets through, after `length` of the way to it.
     fn surface_filter(&mut self, ray: &Ray, hit: &Hit, length: f64, inside: &Inside) -> Rgb {
-        self.statistics.shadow_textures += 1;
         let world = self.world;
-        let surface = world.geometry.surface(ray, hit);
         let leaf = world.geometry.parts().leaf(hit.leaf);
         let interior = &world.interiors[leaf.interior as usize];
+        let fade = interior.fade.as_ref().filter(|_| inside.contains(leaf.interior));
+        let fading = fade.map_or(Rgb::ONE, |fade| fade.shadow_attenuation(length));
+        if leaf.flags.contains(LeafFlags::CLEAR) && interior.caustics == 0.0 {
+            return fading;
+        }
+        self.statistics.shadow_textures += 1;
+        let surface = world.geometry.surface(ray, hit);
         let bumpy = self.quality.reflection;
         let mut filter = Rgb::ZERO;
         textures::resolve(world, ray, hit, &surface, &mut |weight, layers, sample| {
@@ -186,9 +207,6 @@ impl Tracer<'_> {
             }
             filter += through * weight;
         });
-        match &interior.fade {
-            Some(fade) if inside.contains(leaf.interior) => filter * fade.shadow_attenuation(length),
-            _ => filter,
-        }
+        filter * fading
     }
 }

@@ -56,6 +56,8 @@ counters! {
     lights_dark: "lights out of reach",
     /// Lights that needed no shadow ray.
     lights_shadowless: "shadowless lights",
+    /// Lights that needed no shadow ray because nothing can be between.
+    lights_open: "lights with nothing between",
     /// Stretches of rays through media.
     media_stretches: "stretches through media",
     /// Places where media were asked for their densities.

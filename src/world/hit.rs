@@ -3,7 +3,7 @@
 
 use smallvec::SmallVec;
 
-use super::accel::Accel;
+use super::accel::{Accel, Hull, Slabs};
 use super::csg::Found;
 use super::object::{LeafFlags, Member, RayKind};
 use super::parts::{Object, Parts};
@@ -12,6 +12,9 @@ use super::shape::{Crossing, Shape};
 use crate::math::DVec3;
 use crate::math::wide::widest;
 use crate::options::Accelerator;
+
+/// Up to this many objects that may throw a shadow are kept for the many rays of a bundle.
+const FEW: usize = 8;
 
 /// Where a ray meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,6 +124,51 @@ impl Geometry {
                 );
             },
         );
+        self.sort_occluders(ray, through);
+        blocker
+    }
+
+    /// The objects that may stand in the way of light on straight ways inside of `hull`, by number;
+    /// `None` if they are too many to be worth knowing.
+    pub fn between(&self, hull: &Hull) -> Option<SmallVec<[u32; FEW]>> {
+        let mut found = SmallVec::new();
+        let mut add = |number: u32| {
+            let shuts_out = match self.parts.objects[number as usize].member {
+                Member::Leaf(leaf) => !self.parts.leaf(leaf).is_apart_from(hull.points()),
+                Member::Group(_) => true,
+            };
+            if shuts_out {
+                found.push(number);
+            }
+            found.len() > FEW
+        };
+        let many = self.unbounded.iter().any(|&number| add(number)) || self.bounded.any_touching(hull, add);
+        (!many).then_some(found)
+    }
+
+    /// The same as [`occluders`](Self::occluders) where it is known that only objects of `among` may
+    /// be in the way.
+    pub fn occluders_among(
+        &self,
+        among: &[u32],
+        ray: &Ray,
+        range: Range,
+        through: &mut Vec<Hit>,
+    ) -> Option<u32> {
+        through.clear();
+        let slabs = Slabs::new(ray);
+        let blocker = among.iter().copied().find(|&number| {
+            let object = &self.parts.objects[number as usize];
+            let bounds = &self.parts.extent(object.member).bounds;
+            let near = !bounds.is_finite() || slabs.meet(bounds, range);
+            near && self.occluders_of(object, number, ray, range, through)
+        });
+        self.sort_occluders(ray, through);
+        blocker
+    }
+
+    /// The nearest first, coincident ones once.
+    fn sort_occluders(&self, ray: &Ray, through: &mut Vec<Hit>) {
         if through.len() > 1 {
             through.sort_unstable_by(|a, b| {
                 a.t.total_cmp(&b.t).then(a.object.cmp(&b.object)).then(b.leaf.cmp(&a.leaf))
@@ -128,7 +176,6 @@ impl Geometry {
             through
                 .dedup_by(|next, kept| next.t - kept.t <= self.parts.slack(ray, kept.leaf, &kept.crossing));
         }
-        blocker
     }
 
     /// Whether an opaque part of an object is in the way.

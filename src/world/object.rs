@@ -40,6 +40,10 @@ bitflags! {
         const DOUBLE_ILLUMINATE = 1 << 4;
         /// Textures are evaluated at `<u,v,0>`.
         const UV_MAPPING = 1 << 5;
+        /// Light passes unchanged: all its pigments are perfectly clear.
+        const CLEAR = 1 << 6;
+        /// Nothing of it is seen: clear, and without highlights and reflections.
+        const INVISIBLE = 1 << 7;
     }
 }
 
@@ -97,6 +101,19 @@ impl Leaf {
         let normal = self.transform.as_ref().map_or(normal, |transform| transform.normal(normal));
         let normal = normal.normalize_or_zero();
         if self.flags.contains(LeafFlags::REVERSED) { -normal } else { normal }
+    }
+
+    /// Whether it is known that no straight way between any two of the points meets the surface.
+    pub(super) fn is_apart_from(&self, points: &[DVec3]) -> bool {
+        let inside = |&point: &DVec3| self.primitive.inside(self.inner_point(point));
+        match self.primitive {
+            // On either side of a plane any two points see each other.
+            Primitive::Plane(_) => points.iter().all(inside) || !points.iter().any(inside),
+            Primitive::Sphere(_) | Primitive::Box(_) | Primitive::Cylinder(_) | Primitive::Cone(_) => {
+                points.iter().all(inside)
+            }
+            _ => false,
+        }
     }
 
     /// Whether `point` is inside, but for clips.

@@ -118,6 +118,16 @@ impl Texture {
         }
     }
 
+    /// Whether all light passes unchanged everywhere.
+    pub fn is_clear(&self) -> bool {
+        self.layers().is_some_and(|layers| layers.iter().all(Layer::is_clear))
+    }
+
+    /// Whether nothing of it is ever seen.
+    pub fn is_invisible(&self) -> bool {
+        self.is_clear() && self.layers().is_some_and(|layers| layers.iter().all(Layer::is_dull))
+    }
+
     /// The share of light that passes at the sample: the product over layers, blended where textures
     /// blend (docs/spec/patterns-textures.md 7.3).
     pub fn shadow_filter(&self, sample: &Sample) -> Rgb {
@@ -186,6 +196,17 @@ impl TextureBody {
 }
 
 impl Layer {
+    /// Whether its pigment is clear and the same everywhere.
+    fn is_clear(&self) -> bool {
+        matches!(*self.pigment, Pigment::Color(color) if color.transmit == 1.0 && color.filter == 0.0)
+    }
+
+    /// Whether it shows nothing but its pigment.
+    fn is_dull(&self) -> bool {
+        let finish = &self.finish;
+        finish.reflection.is_none() && finish.phong <= 0.0 && finish.specular <= 0.0 && finish.crand == 0.0
+    }
+
     /// The normal to shade with, in the world; unit unless `no_bump_scale` says otherwise.
     /// Updates the sample's bent normal, so that the pigment's `slope` and `aoi` see these bumps.
     pub fn bend(&self, sample: &mut Sample) -> DVec3 {

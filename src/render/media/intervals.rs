@@ -7,12 +7,14 @@ use crate::world::Range;
 use crate::world::media::Sampling;
 
 /// A lamp and the part of a stretch it may light.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Beam {
     /// Its number.
     pub(super) light: u32,
     /// From … to, as distances.
     pub(super) reach: Range,
+    /// The objects that may stand between, where they are few.
+    pub(super) among: Option<SmallVec<[u32; 8]>>,
 }
 
 /// A part of a stretch that is sampled for itself.
@@ -103,7 +105,7 @@ mod tests {
     }
 
     fn beam(min: f64, max: f64) -> Beam {
-        Beam { light: 0, reach: Range { min, max } }
+        Beam { light: 0, reach: Range { min, max }, among: None }
     }
 
     fn shown(intervals: &[Interval]) -> Vec<(f64, f64, bool)> {

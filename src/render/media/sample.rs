@@ -6,7 +6,7 @@ use super::March;
 use crate::math::{DVec3, Rgb};
 use crate::render::shadow::Target;
 use crate::render::trace::Tracer;
-use crate::world::Intersection;
+use crate::world::{Intersection, Media};
 
 /// Light that media send to the eye, and the optical depth: per unit of length, or of an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,19 +43,28 @@ impl Mul<f32> for Sample {
     }
 }
 
+/// What media do over a unit at a point but for lamps, and what they scatter of these.
+fn mixture(media: &[&Media], point: DVec3) -> (Sample, Rgb) {
+    let mut sum = Sample::NOTHING;
+    let mut scattered = Rgb::ZERO;
+    for media in media {
+        let density = media.density.at(point);
+        sum.source += density * media.emission;
+        sum.depth += density * media.extinction;
+        scattered += density * media.scattering;
+    }
+    (sum, scattered)
+}
+
 impl Tracer<'_> {
     /// What media do over a unit at distance `s` of a march; lamps count where `lit`.
     pub(super) fn media_sample(&mut self, march: &March, s: f64, lit: bool) -> Sample {
         self.statistics.media_samples += 1;
         let point = march.stretch.ray.at(s);
-        let mut sum = Sample::NOTHING;
-        let mut scattered = Rgb::ZERO;
-        for media in &march.stretch.media {
-            let density = media.density.at(point);
-            sum.source += density * media.emission;
-            sum.depth += density * media.extinction;
-            scattered += density * media.scattering;
-        }
+        let (mut sum, scattered) = match march.uniform {
+            Some(uniform) => (uniform, march.scattered),
+            None => mixture(&march.stretch.media, point),
+        };
         if lit && march.scatters && scattered != Rgb::ZERO {
             sum.source += scattered * self.lamps(march, point, s);
         }
@@ -72,7 +81,7 @@ impl Tracer<'_> {
     /// The light of lamps at a point of a march, each weighted by its share that goes to the eye.
     fn lamps(&mut self, march: &March, point: DVec3, s: f64) -> Rgb {
         let stretch = march.stretch;
-        let target = Target { surface: Intersection::in_space(point), inside: stretch.inside };
+        let surface = Intersection::in_space(point);
         let mut sum = Rgb::ZERO;
         for beam in march.beams.iter().filter(|beam| beam.reach.min <= s && s <= beam.reach.max) {
             let light = &self.world.lights[beam.light as usize];
@@ -85,6 +94,7 @@ impl Tracer<'_> {
             let shares: f32 = stretch.media.iter().map(|media| media.phase.share(cosine)).sum();
             let share = shares / stretch.media.len() as f32;
             if share != 0.0 {
+                let target = Target { surface, inside: stretch.inside, among: beam.among.as_deref() };
                 sum += share * self.unblocked(&target, light, &incident);
             }
         }

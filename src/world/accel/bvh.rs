@@ -9,6 +9,7 @@ use std::ops::Range as Span;
 use glam::{BVec4A, Vec4};
 use smallvec::SmallVec;
 
+use super::Hull;
 use super::build::{self, Item};
 use super::linear::Slabs;
 use crate::math::{Bounds, DVec3};
@@ -195,6 +196,33 @@ impl Bvh {
                 }
             }
         }
+    }
+
+    /// See [`Accel::any_touching`](super::Accel::any_touching).
+    pub fn any_touching(&self, hull: &Hull, mut test: impl FnMut(u32) -> bool) -> bool {
+        if !hull.meets(&self.whole) {
+            return false;
+        }
+        let hull = hull.mapped(|point| self.inner(point));
+        let mut stack: SmallVec<[u32; STACK]> = SmallVec::new();
+        stack.push(0);
+        while let Some(child) = stack.pop() {
+            if child & LEAF != 0 {
+                if test(child & !LEAF) {
+                    return true;
+                }
+                continue;
+            }
+            let node = &self.nodes[child as usize];
+            for lane in (0..WIDTH).filter(|&lane| node.children[lane] != u32::MAX) {
+                let place = |face: usize| f64::from(node.faces[face][lane / 4][lane % 4]);
+                let corner = |face| DVec3::new(place(face), place(face + 1), place(face + 2));
+                if hull.meets(&Bounds { min: corner(0), max: corner(3) }) {
+                    stack.push(node.children[lane]);
+                }
+            }
+        }
+        false
     }
 
     /// See [`Accel::any_around`](super::Accel::any_around).

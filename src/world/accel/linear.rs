@@ -1,5 +1,6 @@
 //! Every box in turn: the fastest way for a handful, and the yardstick for the others.
 
+use super::Hull;
 use crate::math::{Bounds, DVec3};
 use crate::world::ray::{Range, Ray};
 
@@ -27,6 +28,11 @@ impl Linear {
                 }
             }
         }
+    }
+
+    /// See [`Accel::any_touching`](super::Accel::any_touching).
+    pub fn any_touching(&self, hull: &Hull, mut test: impl FnMut(u32) -> bool) -> bool {
+        self.items.iter().any(|(bounds, item)| hull.meets(bounds) && test(*item))
     }
 
     /// See [`Accel::any_around`](super::Accel::any_around).

@@ -5,11 +5,13 @@
 
 mod build;
 mod bvh;
+mod hull;
 mod linear;
 #[cfg(test)]
 mod tests;
 
 pub use bvh::Bvh;
+pub use hull::Hull;
 pub use linear::{Linear, Slabs};
 
 use super::ray::{Range, Ray};
@@ -48,6 +50,14 @@ impl Accel {
         match self {
             Self::Linear(linear) => linear.along(ray, range, visit),
             Self::Bvh(bvh) => bvh.along(ray, range, visit),
+        }
+    }
+
+    /// Whether `test` holds for any of the items whose boxes meet `hull`.
+    pub fn any_touching(&self, hull: &Hull, test: impl FnMut(u32) -> bool) -> bool {
+        match self {
+            Self::Linear(linear) => linear.any_touching(hull, test),
+            Self::Bvh(bvh) => bvh.any_touching(hull, test),
         }
     }
 

@@ -36,6 +36,15 @@ impl AreaLight {
         [first * self.axes[0].length(), second * self.axes[1].length()]
     }
 
+    /// No light of the grid is farther from the middle than this, jitter included.
+    pub fn radius(&self) -> f64 {
+        let reach = |axis: DVec3, size: u32| {
+            let cell = if self.jitter && size > 1 { 0.5 / f64::from(size - 1) } else { 0.0 };
+            axis.length() * (0.5 + cell + CIRCULAR_SHIFT)
+        };
+        reach(self.axes[0], self.size[0]) + reach(self.axes[1], self.size[1])
+    }
+
     /// Where light (u, v) of the grid is, relative to the light's location; `shift` moves it by
     /// parts of a cell.
     pub fn offset(&self, axes: [DVec3; 2], (u, v): (u32, u32), shift: DVec2) -> DVec3 {

@@ -122,7 +122,9 @@ impl Light {
 impl Fade {
     /// `2 / (1 + (d / distance)^power)`.
     fn attenuation(self, distance: f64) -> f64 {
-        2.0 / (1.0 + (distance.abs() / self.distance).powf(self.power))
+        let ratio = distance.abs() / self.distance;
+        let faded = if self.power == 2.0 { ratio * ratio } else { ratio.powf(self.power) };
+        2.0 / (1.0 + faded)
     }
 }
 
