@@ -31,6 +31,8 @@ pub struct RenderOptions {
     pub split_unions: bool,
     /// Whether radiosity gathers in an order that does not depend on threads.
     pub high_reproducibility: bool,
+    /// Chooses among the pictures that differ in nothing but their random noise.
+    pub seed: u64,
 }
 
 /// A rectangle of pixels, counted from the top-left corner of the picture.
@@ -96,6 +98,7 @@ impl RenderOptions {
             remove_bounds: true,
             split_unions: false,
             high_reproducibility: false,
+            seed: 0,
         }
     }
 }

@@ -138,7 +138,7 @@ impl<'w> Eye<'w> {
     /// The colour and transmit along a ray through image coordinates, up to some distance.
     fn seen(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64), reach: f64) -> Sample {
         tracer.statistics.camera_rays += 1;
-        tracer.random = Random::of_sample(x, y);
+        tracer.random = Random::of_sample(x, y, self.options.seed);
         let around = || Inside::of(self.world.interiors_around(ray.origin));
         let inside = self.inside.clone().unwrap_or_else(around);
         let path = Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, wavelength: None, inside };

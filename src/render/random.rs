@@ -7,9 +7,9 @@ pub(super) struct Random {
 }
 
 impl Random {
-    /// The sequence of the sample at image coordinates (x, y).
-    pub(super) fn of_sample(x: f64, y: f64) -> Self {
-        Self { state: scramble(scramble(x.to_bits()) ^ y.to_bits()) }
+    /// The sequence of the sample at image coordinates (x, y); every `seed` has others.
+    pub(super) fn of_sample(x: f64, y: f64, seed: u64) -> Self {
+        Self { state: scramble(scramble(scramble(x.to_bits()) ^ y.to_bits()) ^ seed) }
     }
 
     /// The next number, uniform in [0, 1).
@@ -35,7 +35,7 @@ mod tests {
         let mut slots = [0; 10];
         for x in 0..100 {
             for y in 0..100 {
-                slots[(Random::of_sample(f64::from(x), f64::from(y)).next() * 10.0) as usize] += 1;
+                slots[(Random::of_sample(f64::from(x), f64::from(y), 0).next() * 10.0) as usize] += 1;
             }
         }
         assert!(slots.iter().all(|&count| (900..1100).contains(&count)), "{slots:?}");

@@ -163,3 +163,66 @@ fn threads_do_not_change_the_picture() {
         assert_eq!(rendered.statistics, one.statistics, "{threads} threads");
     }
 }
+
+/// A ball of media before a floor, lit by one lamp.
+fn media(media: &str, more: &str) -> Statistics {
+    let ball = format!("sphere{{4*z,1 hollow pigment{{rgbt 1}} interior{{media{{{media}}}}}}}");
+    statistics(&format!("light_source{{<-9,9,-9> rgb 1}} {ball} {more}"))
+}
+
+#[test]
+fn no_media_are_sampled_where_there_are_none() {
+    let counts = statistics("light_source{-10*z rgb 1} FLOOR sphere{4*z,1 hollow pigment{rgbt 1}}");
+    assert_eq!((counts.media_stretches, counts.media_samples), (0, 0));
+    let beside = statistics("FLOOR sphere{-9*z,1 hollow pigment{rgbt 1} interior{media{emission 1}}}");
+    assert_eq!((beside.media_stretches, beside.media_samples), (0, 0));
+}
+
+#[test]
+fn media_that_are_the_same_everywhere_are_not_sampled() {
+    for plain in ["absorption 1", "emission 1 absorption .5", "absorption 1 density{rgb .4}"] {
+        let counts = media(plain, "FLOOR");
+        assert!(counts.media_stretches > 0, "{plain}");
+        assert_eq!(counts.media_samples, 0, "{plain}");
+    }
+    assert!(media("emission 1 density{spherical}", "FLOOR").media_samples > 0);
+}
+
+#[test]
+fn media_without_scattering_ask_no_lamp() {
+    let counts = media("emission 1 absorption 1 density{spherical}", "");
+    assert_eq!((counts.shadow_rays, counts.lights_open), (0, 0));
+}
+
+#[test]
+fn lamps_with_nothing_between_need_no_shadow_rays() {
+    let inside = "light_source{4*z rgb 1} camera{location 3.5*z} \
+        sphere{4*z,1 hollow pigment{rgbt 1} interior{media{scattering{1,1}}}} \
+        plane{y,-2 pigment{rgb 1} finish{diffuse 0}}";
+    let counts = statistics(inside);
+    assert_eq!(counts.shadow_rays, 0);
+    assert!(counts.lights_open > 1000);
+    // What stands aside changes nothing, what stands between does.
+    let aside = format!("{inside} sphere{{<8,0,4>,1}}");
+    assert_eq!(statistics(&aside).shadow_rays, 0);
+    let between = format!("{inside} sphere{{<.05,.03,3.8>,.05}}");
+    assert!(statistics(&between).shadow_rays > 0);
+}
+
+#[test]
+fn clear_surfaces_are_not_textured() {
+    let counts = media("absorption 1", "");
+    assert_eq!((counts.texture_evaluations, counts.shadow_textures, counts.shadow_rays), (0, 0, 0));
+    assert!(counts.transmitted_rays > 0);
+    let glossy = "sphere{4*z,1 pigment{rgbt 1} finish{specular .5}} light_source{-9*z rgb 1}";
+    assert!(statistics(glossy).texture_evaluations > 0);
+}
+
+#[test]
+fn area_lights_are_refined_only_where_their_corners_differ() {
+    let floor = "FLOOR light_source{-10*z rgb 1 area_light 2*x,2*y,17,17 adaptive 1}";
+    let even = statistics(floor).shadow_rays;
+    // Nine places of the grid are the corners of its four quarters.
+    assert_eq!(even, 9 * 192);
+    assert!(statistics(&format!("{floor} disc{{<.3,.2,-2>,z,.5}}")).shadow_rays > even);
+}

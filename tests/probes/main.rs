@@ -1,9 +1,11 @@
 //! The probes of the specification: small scenes, and the linear colours POV-Ray gave them.
 
+mod averages;
 mod camera;
 mod cost;
 mod environment;
 mod media;
+mod numerics;
 mod quality;
 mod shading;
 mod table;

@@ -66,7 +66,8 @@ impl Fog {
             Some(turbulence) => turbulence.lengthen(ray.at(distance / 2.0), distance, self.distance),
             None => distance,
         };
-        let left = (-length * density / self.distance).exp();
+        // A negative distance brightens, but not without end.
+        let left = (-length * density / self.distance).min(80.0).exp();
         left.max(f64::from(self.color.transmit))
     }
 }
@@ -90,7 +91,7 @@ impl Turbulence {
     /// The length a way of fog counts for, given its middle.
     fn lengthen(&self, middle: DVec3, length: f64, distance: f64) -> f64 {
         let noise = self.octaves.scalar(self.noise_generator, middle * self.amount);
-        length * (1.0 - (-length / distance).exp() * (noise * self.depth).min(1.0))
+        length * (1.0 - (-length / distance).min(80.0).exp() * (noise * self.depth).min(1.0))
     }
 }
 

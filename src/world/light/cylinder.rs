@@ -1,6 +1,6 @@
 //! `cylinder`: a beam of light with parallel edges.
 
-use super::soften;
+use super::{power, soften};
 use crate::math::DVec3;
 
 /// The beam, by its radii.
@@ -28,6 +28,6 @@ impl Cylinder {
         } else {
             1.0
         };
-        edge * if self.tightness == 0.0 { 1.0 } else { left.powf(self.tightness) }
+        edge * power(left, self.tightness)
     }
 }

@@ -123,8 +123,18 @@ impl Fade {
     /// `2 / (1 + (d / distance)^power)`.
     fn attenuation(self, distance: f64) -> f64 {
         let ratio = distance.abs() / self.distance;
-        let faded = if self.power == 2.0 { ratio * ratio } else { ratio.powf(self.power) };
-        2.0 / (1.0 + faded)
+        2.0 / (1.0 + power(ratio, self.power))
+    }
+}
+
+/// `base` to the power of `exponent`: by multiplication where that is a small whole number, as it
+/// mostly is.
+fn power(base: f64, exponent: f64) -> f64 {
+    let whole = exponent as i32;
+    if f64::from(whole) == exponent && (0..=32).contains(&whole) {
+        base.powi(whole)
+    } else {
+        base.powf(exponent)
     }
 }
 

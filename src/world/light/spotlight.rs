@@ -1,6 +1,6 @@
 //! `spotlight`: a cone of light.
 
-use super::soften;
+use super::{power, soften};
 
 /// The cone, by the cosines of its angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +34,6 @@ impl Spotlight {
         } else {
             1.0
         };
-        edge * if self.tightness == 0.0 { 1.0 } else { cosine.powf(self.tightness) }
+        edge * power(cosine, self.tightness)
     }
 }
