@@ -14,11 +14,14 @@ const TOLERANCE: f32 = 1.01e-4;
 fn expand(media: &str) -> String {
     let ramp = "density{gradient z color_map{[0 rgb 0][1 rgb 1]} scale 4}";
     let step = "density{gradient z color_map{[.4 rgb 0][.4 rgb 1]} scale 4}";
+    // Displaced before its beginning, a sample falls into the period before.
+    let long = "density{gradient z color_map{[0 rgb 0][1 rgb 1]} scale 40}";
     let words = media.split_inclusive(' ').map(|word| match word.trim() {
         "E" => "emission <.1,.05,.02> ",
         "A" => "absorption <.3,.2,.1> ",
         "RAMP" => ramp,
         "STEP" => step,
+        "LONG" => long,
         _ => word,
     });
     words.collect()
@@ -238,6 +241,7 @@ fn random_samples_vary_as_much_as_observed() {
         ("method 1 samples 1,10 E RAMP ", "3.7", 0.400, 0.114),
         ("method 1 samples 2,10 E RAMP ", "3.7", 0.400, 0.073),
         ("method 2 jitter 1 E RAMP ", "3.7", 0.399, 0.019),
+        ("method 3 jitter 1 samples 10 aa_threshold 100 emission .1 LONG ", "3.7", 0.2282, 0.01105),
         ("emission .1 RAMP ", "3.1", 0.4000, 0.0038),
     ];
     for (media, version, mean, deviation) in rows {

@@ -12,7 +12,7 @@ use crate::render::trace::Tracer;
 /// Halving parts more often than this changes no picture.
 const DEEPEST: u32 = 24;
 
-/// A sample and its place in the interval.
+/// A sample and the place in the interval that it stands for, whatever jitter did to it.
 #[derive(Clone, Copy)]
 struct Knot {
     place: f64,
@@ -68,8 +68,8 @@ impl Tracer<'_> {
 
     /// A sample of the whole interval, displaced by at most half the `distance` of knots.
     fn knot(&mut self, march: &March, interval: &Interval, place: f64, distance: f64) -> Knot {
-        let place = self.displaced(march, place, distance);
-        let sample = self.media_sample(march, interval.start + place * interval.length, interval.lit);
+        let displaced = self.displaced(march, place, distance);
+        let sample = self.media_sample(march, interval.start + displaced * interval.length, interval.lit);
         Knot { place, value: sample.scaled(interval.length) }
     }
 

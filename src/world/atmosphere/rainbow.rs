@@ -80,7 +80,7 @@ impl Rainbow {
         } else {
             0.0
         };
-        let strength = (-distance / self.distance).exp() as f32;
+        let strength = (-distance / self.distance).min(80.0).exp() as f32;
         Some(Bow { strength: strength.max(fade * (1.0 - color.transmit) + color.transmit), color })
     }
 }
