@@ -98,7 +98,7 @@ fn mesh_camera(written: &scene::camera::MeshCamera, camera: &scene::Camera) -> M
         (2, _) => Distribution::Columns(meshes.iter().map(rays).collect()),
         (_, Some((mesh, transform))) => {
             let faces = mesh.faces.iter().filter_map(|face| uv_face(mesh, face, written.smooth));
-            Distribution::Map(Map::new(faces.collect(), mount(transform)))
+            Distribution::Map(Box::new(Map::new(faces.collect(), mount(transform))))
         }
     };
     MeshCamera {

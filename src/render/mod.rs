@@ -109,7 +109,7 @@ impl<'w> Eye<'w> {
         tracer.statistics.samples += 1;
         let camera = &self.world.camera;
         if let Some(mesh) = &camera.mesh {
-            return self.from_mesh(tracer, mesh, x, y);
+            return self.through_mesh(tracer, mesh, x, y);
         }
         if let Some(blur) = &camera.blur {
             return self.through_lens(tracer, blur, x, y);
@@ -121,7 +121,7 @@ impl<'w> Eye<'w> {
     }
 
     /// The mean of what the rays see that start on faces of meshes.
-    fn from_mesh(&self, tracer: &mut Tracer, mesh: &MeshCamera, x: f64, y: f64) -> Sample {
+    fn through_mesh(&self, tracer: &mut Tracer, mesh: &MeshCamera, x: f64, y: f64) -> Sample {
         let place = Place { at: DVec2::new(x, y), size: [self.options.width, self.options.height] };
         let (mut sum, mut count) = ([0.0; 4], 0.0);
         for index in 0..mesh.rays {

@@ -28,7 +28,7 @@ pub enum Distribution {
     /// 2: meshes share the picture's columns.
     Columns(Vec<Vec<Ray>>),
     /// 3: the face that lies there on the uv square.
-    Map(Map),
+    Map(Box<Map>),
 }
 
 /// A place in a picture and the picture's size.
