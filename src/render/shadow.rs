@@ -1,9 +1,12 @@
 //! What of a lamp's light comes through to a surface (docs/spec/shading.md 15 and 17).
 
+use smallvec::SmallVec;
+
 use super::refract::Inside;
 use super::textures;
 use super::trace::Tracer;
 use crate::math::{DVec2, DVec3, Rgb};
+use crate::world::accel::Hull;
 use crate::world::hit::Hit;
 use crate::world::light::{AreaLight, Incident, is_dark};
 use crate::world::object::LeafFlags;
@@ -11,6 +14,9 @@ use crate::world::{Intersection, Light, Range, Ray};
 
 /// Difference between corners of an area light's grid above which the part between is refined.
 const UNEVEN: f32 = 0.1;
+
+/// From so many rays to an area light on it is worth while to look first what may be in their way.
+const MANY_RAYS: u32 = 64;
 
 /// What lamps shine on: a surface, or a point in media.
 #[derive(Clone, Copy)]
@@ -44,6 +50,8 @@ impl Tracer<'_> {
             self.statistics.lights_shadowless += 1;
             return incident.color;
         }
+        let among = if at.among.is_none() { self.between(at, light, incident) } else { None };
+        let at = &Target { among: among.as_deref().or(at.among), ..*at };
         let nothing = at.among.is_some_and(<[u32]>::is_empty);
         if nothing && light.projected_through.is_none() && !self.dims(light) {
             self.statistics.lights_open += 1;
@@ -60,6 +68,22 @@ impl Tracer<'_> {
             }
             _ => self.shadow_ray(at, light, incident),
         }
+    }
+
+    /// The objects that may be in the way of an area light that takes many rays; `None` where finding
+    /// them isn't worth while, or they are many.
+    fn between(&self, at: &Target, light: &Light, incident: &Incident) -> Option<SmallVec<[u32; 8]>> {
+        let area = light.area.as_ref().filter(|_| self.quality.area_lights && !light.runs_parallel())?;
+        if area.least_rays() < MANY_RAYS {
+            return None;
+        }
+        let Intersection { point, geometric, error, .. } = at.surface;
+        let mut points: SmallVec<[DVec3; 12]> = SmallVec::new();
+        points.push(point + error * geometric);
+        points.extend(area.corners(area.axes_towards(incident.direction)).map(|c| light.location + c));
+        points.push(point - error * geometric);
+        let known = points.iter().all(|point| point.is_finite());
+        known.then(|| Hull::new(points)).and_then(|hull| self.world.geometry.between(&hull))
     }
 
     /// The mean light from a part of an area light.

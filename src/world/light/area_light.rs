@@ -38,11 +38,26 @@ impl AreaLight {
 
     /// No light of the grid is farther from the middle than this, jitter included.
     pub fn radius(&self) -> f64 {
-        let reach = |axis: DVec3, size: u32| {
-            let cell = if self.jitter && size > 1 { 0.5 / f64::from(size - 1) } else { 0.0 };
-            axis.length() * (0.5 + cell + CIRCULAR_SHIFT)
-        };
-        reach(self.axes[0], self.size[0]) + reach(self.axes[1], self.size[1])
+        self.axes[0].length() * self.reach(0) + self.axes[1].length() * self.reach(1)
+    }
+
+    /// Corners around all lights of the grid, relative to the light's location, jitter included.
+    pub fn corners(&self, axes: [DVec3; 2]) -> [DVec3; 4] {
+        let (x, y) = (axes[0] * self.reach(0), axes[1] * self.reach(1));
+        [x + y, -x - y, x - y, y - x]
+    }
+
+    /// How far lights may be from the middle, in units of an axis.
+    fn reach(&self, axis: usize) -> f64 {
+        let size = self.size[axis];
+        let cell = if self.jitter && size > 1 { 0.5 / f64::from(size - 1) } else { 0.0 };
+        0.5 + cell + CIRCULAR_SHIFT
+    }
+
+    /// The least number of rays that a point takes whatever they find, all told.
+    pub fn least_rays(&self) -> u32 {
+        let along = |size: u32| size.min((1_u32 << self.adaptive.min(16)) + 1);
+        along(self.size[0]).saturating_mul(along(self.size[1]))
     }
 
     /// Where light (u, v) of the grid is, relative to the light's location; `shift` moves it by

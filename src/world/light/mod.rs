@@ -99,10 +99,14 @@ impl Light {
         self.reaching_from(point, location, axis)
     }
 
+    /// Whether light runs the same way everywhere rather than from a place.
+    pub fn runs_parallel(&self) -> bool {
+        self.parallel || matches!(self.kind, Kind::Cylinder(_))
+    }
+
     fn reaching_from(&self, point: DVec3, location: DVec3, axis: DVec3) -> Incident {
         let way = location - point;
-        let runs_parallel = self.parallel || matches!(self.kind, Kind::Cylinder(_));
-        let (direction, distance) = if runs_parallel {
+        let (direction, distance) = if self.runs_parallel() {
             (-axis, -way.dot(axis))
         } else {
             let distance = way.length();
