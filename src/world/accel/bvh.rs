@@ -87,7 +87,7 @@ impl Bvh {
         bvh
     }
 
-    /// Keeps up to `longest` items together, at most [`LONGEST_RUN`]. Answers also the numbers of
+    /// Keeps up to `longest` items together, at most 8. Answers also the numbers of
     /// the items in the order in which the tree counts them from then on.
     pub fn with_runs(items: Vec<(Bounds, u32)>, longest: usize) -> (Self, Vec<u32>) {
         let whole = items.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(*bounds));

@@ -6,7 +6,7 @@
 //! without an inside take part. Inversion was carried down to the leaves by De Morgan's laws, so
 //! there are only three operations, and a `difference` is an intersection.
 //!
-//! [`gather`] finds the members near a ray and their crossings, [`survive`] decides about these.
+//! `gather` finds the members near a ray and their crossings, `survive` decides about these.
 
 mod gather;
 mod scratch;

@@ -37,7 +37,7 @@ pub enum Metric {
     Square,
     /// `metric 1`: absolute values.
     Absolute,
-    /// Any other whole power up to [`Metric::LARGEST_WHOLE`].
+    /// Any other whole power up to 8.
     Whole(i32),
     /// Any other power.
     Power(f64),
