@@ -12,7 +12,7 @@ use super::refract::Inside;
 use super::trace::Tracer;
 use crate::math::color::grey;
 use crate::math::{Bounds, DVec3, Rgb};
-use crate::world::accel::Hull;
+use crate::world::accel::{Hull, Points};
 use crate::world::atmosphere::Veil;
 use crate::world::media::{Method, Sampling};
 use crate::world::{Light, Media, Range, Ray, World};
@@ -149,7 +149,7 @@ fn bundle(stretch: &Stretch, rule: &Sampling, light: &Light, reach: Range) -> Op
     // surface is.
     let margin = stretch.length * if rule.jitter == 0.0 { -END } else { rule.jitter.abs() };
     let ends = [reach.min - margin, reach.max + margin].map(|s| stretch.ray.at(s));
-    let mut points: SmallVec<[DVec3; 12]> = SmallVec::from_slice(&ends);
+    let mut points = Points::from_slice(&ends);
     match &light.area {
         Some(_) if light.parallel => return None,
         Some(area) => {

@@ -1,13 +1,11 @@
 //! What of a lamp's light comes through to a surface (docs/spec/shading.md 15 and 17).
 
-use smallvec::SmallVec;
-
 use super::refract::Inside;
 use super::textures;
 use super::trace::Tracer;
 use crate::math::{DVec2, DVec3, Rgb};
-use crate::world::accel::Hull;
-use crate::world::hit::Hit;
+use crate::world::accel::{Hull, Points};
+use crate::world::hit::{Hit, Nearby};
 use crate::world::light::{AreaLight, Incident, is_dark};
 use crate::world::object::LeafFlags;
 use crate::world::{Intersection, Light, Range, Ray};
@@ -72,13 +70,13 @@ impl Tracer<'_> {
 
     /// The objects that may be in the way of an area light that takes many rays; `None` where finding
     /// them isn't worth while, or they are many.
-    fn between(&self, at: &Target, light: &Light, incident: &Incident) -> Option<SmallVec<[u32; 8]>> {
+    fn between(&self, at: &Target, light: &Light, incident: &Incident) -> Option<Nearby> {
         let area = light.area.as_ref().filter(|_| self.quality.area_lights && !light.runs_parallel())?;
         if area.least_rays() < MANY_RAYS {
             return None;
         }
         let Intersection { point, geometric, error, .. } = at.surface;
-        let mut points: SmallVec<[DVec3; 12]> = SmallVec::new();
+        let mut points = Points::new();
         points.push(point + error * geometric);
         points.extend(area.corners(area.axes_towards(incident.direction)).map(|c| light.location + c));
         points.push(point - error * geometric);

@@ -16,6 +16,9 @@ use crate::options::Accelerator;
 /// Up to this many objects that may throw a shadow are kept for the many rays of a bundle.
 const FEW: usize = 8;
 
+/// Objects that may throw a shadow, by number.
+pub type Nearby = SmallVec<[u32; FEW]>;
+
 /// Where a ray meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
@@ -130,7 +133,7 @@ impl Geometry {
 
     /// The objects that may stand in the way of light on straight ways inside of `hull`, by number;
     /// `None` if they are too many to be worth knowing.
-    pub fn between(&self, hull: &Hull) -> Option<SmallVec<[u32; FEW]>> {
+    pub fn between(&self, hull: &Hull) -> Option<Nearby> {
         let mut found = SmallVec::new();
         let mut add = |number: u32| {
             let shuts_out = match self.parts.objects[number as usize].member {

@@ -6,14 +6,11 @@ use std::path::Path;
 use std::thread;
 use std::time::Duration;
 
-use povista_compat::process::{Ended, Sandbox};
+use povista_compat::numbers::{FILE, printed};
 use povista_compat::program::Program;
 
 /// Processor seconds either program may use for a scene; povray takes a tenth of it.
 const LIMIT: Duration = Duration::from_secs(200);
-
-/// The file the generated scene writes.
-const VALUES: &str = "values.txt";
 
 /// Points of three kinds in turn, as the body of a loop over I: a lattice that meets the edges of cells
 /// exactly, a wide box, and two of a small box.
@@ -57,12 +54,13 @@ pub(crate) struct Worst {
 pub(crate) fn compare(probes: &[Probe], points: &str, count: usize) -> Vec<Worst> {
     let folder = tempfile::tempdir().unwrap();
     files(folder.path());
-    fs::write(folder.path().join("probe.pov"), scene(probes, points, count)).unwrap();
+    let scene = scene(probes, points, count);
+    let values = |program| printed(program, folder.path(), &scene, LIMIT).unwrap();
     let povray = Program::povray().unwrap_or_else(|error| panic!("{error}"));
     let povista = Program::povista().unwrap_or_else(|error| panic!("{error}"));
     let (theirs, ours) = thread::scope(|scope| {
-        let theirs = scope.spawn(|| values(&povray, folder.path()));
-        (values(&povista, folder.path()), theirs.join().unwrap())
+        let theirs = scope.spawn(|| values(&povray));
+        (values(&povista), theirs.join().unwrap())
     });
     let width = 3 + probes.iter().map(|probe| probe.members.len()).sum::<usize>();
     assert_eq!((theirs.len(), ours.len()), (width * count, width * count));
@@ -126,7 +124,7 @@ fn scene(probes: &[Probe], points: &str, count: usize) -> String {
     for (n, probe) in probes.iter().enumerate() {
         writeln!(text, "#declare F{n} = function {{ {} }}", probe.function).unwrap();
     }
-    write!(text, "#fopen Out \"{VALUES}\" write\n#declare S = seed(7);\n#for (I, 1, {count})\n{points}")
+    write!(text, "#fopen Out \"{FILE}\" write\n#declare S = seed(7);\n#for (I, 1, {count})\n{points}")
         .unwrap();
     text.push_str("#write (Out, str(X,0,17), \" \", str(Y,0,17), \" \", str(Z,0,17), \"\\n\")\n");
     for (n, probe) in probes.iter().enumerate() {
@@ -141,16 +139,6 @@ fn scene(probes: &[Probe], points: &str, count: usize) -> String {
     }
     text.push_str("#end\n#fclose Out\n");
     text
-}
-
-/// The numbers a program writes when it reads the scene in `folder`.
-fn values(program: &Program, folder: &Path) -> Vec<f64> {
-    let sandbox = Sandbox::copy_of(folder).unwrap();
-    let switches = ["+Iprobe.pov", "-F", "-D", "+W1", "+H1", "+WT1"].map(str::to_owned);
-    let finished = sandbox.run(&program.path, &switches, LIMIT).unwrap();
-    assert_eq!(finished.ended, Ended::Code(0), "{}: {}", program.version, finished.text);
-    let text = fs::read_to_string(sandbox.scene_folder().join(VALUES)).unwrap();
-    text.split_ascii_whitespace().map(|word| word.parse().unwrap()).collect()
 }
 
 /// Writes what the bodies refer to: an image, and densities of 8, 16 and 32 bits.

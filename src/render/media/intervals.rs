@@ -4,6 +4,7 @@
 use smallvec::{SmallVec, smallvec};
 
 use crate::world::Range;
+use crate::world::hit::Nearby;
 use crate::world::media::Sampling;
 
 /// A lamp and the part of a stretch it may light.
@@ -14,7 +15,7 @@ pub(super) struct Beam {
     /// From … to, as distances.
     pub(super) reach: Range,
     /// The objects that may stand between, where they are few.
-    pub(super) among: Option<SmallVec<[u32; 8]>>,
+    pub(super) among: Option<Nearby>,
 }
 
 /// A part of a stretch that is sampled for itself.

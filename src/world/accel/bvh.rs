@@ -199,40 +199,45 @@ impl Bvh {
     }
 
     /// See [`Accel::any_touching`](super::Accel::any_touching).
-    pub fn any_touching(&self, hull: &Hull, mut test: impl FnMut(u32) -> bool) -> bool {
+    pub fn any_touching(&self, hull: &Hull, test: impl FnMut(u32) -> bool) -> bool {
         if !hull.meets(&self.whole) {
             return false;
         }
         let hull = hull.mapped(|point| self.inner(point));
-        let mut stack: SmallVec<[u32; STACK]> = SmallVec::new();
-        stack.push(0);
-        while let Some(child) = stack.pop() {
-            if child & LEAF != 0 {
-                if test(child & !LEAF) {
-                    return true;
-                }
-                continue;
-            }
-            let node = &self.nodes[child as usize];
-            for lane in (0..WIDTH).filter(|&lane| node.children[lane] != u32::MAX) {
-                let place = |face: usize| f64::from(node.faces[face][lane / 4][lane % 4]);
-                let corner = |face| DVec3::new(place(face), place(face + 1), place(face + 2));
-                if hull.meets(&Bounds { min: corner(0), max: corner(3) }) {
-                    stack.push(node.children[lane]);
-                }
-            }
-        }
-        false
+        let touched = |node: &Node| {
+            let place = |face: usize, lane: usize| f64::from(node.faces[face][lane / 4][lane % 4]);
+            let corner =
+                |face, lane| DVec3::new(place(face, lane), place(face + 1, lane), place(face + 2, lane));
+            let is_touched = |lane: usize| {
+                node.children[lane] != u32::MAX
+                    && hull.meets(&Bounds { min: corner(0, lane), max: corner(3, lane) })
+            };
+            (0..WIDTH).fold(0, |mask, lane| mask | u32::from(is_touched(lane)) << lane)
+        };
+        self.any_below(touched, test)
     }
 
     /// See [`Accel::any_around`](super::Accel::any_around).
     #[inline(always)]
-    pub fn any_around(&self, point: DVec3, mut test: impl FnMut(u32) -> bool) -> bool {
+    pub fn any_around(&self, point: DVec3, test: impl FnMut(u32) -> bool) -> bool {
         if !self.whole.contains(point) {
             return false;
         }
         let point = self.inner(point);
-        let (low, high) = (point.to_array().map(rounded_down), point.to_array().map(rounded_up));
+        let low = point.to_array().map(|x| Vec4::splat(rounded_down(x)));
+        let high = point.to_array().map(|x| Vec4::splat(rounded_up(x)));
+        let around = |node: &Node| {
+            (0..3).fold(!0, |around, axis| {
+                let (first, last) = (&node.faces[axis], &node.faces[axis + 3]);
+                around & mask(|half| first[half].cmple(high[axis]) & last[half].cmpge(low[axis]))
+            })
+        };
+        self.any_below(around, test)
+    }
+
+    /// Whether `test` holds for any item below the children of which `near` gives the bits.
+    #[inline(always)]
+    fn any_below(&self, near: impl Fn(&Node) -> u32, mut test: impl FnMut(u32) -> bool) -> bool {
         let mut stack: SmallVec<[u32; STACK]> = SmallVec::new();
         stack.push(0);
         while let Some(child) = stack.pop() {
@@ -243,15 +248,10 @@ impl Bvh {
                 continue;
             }
             let node = &self.nodes[child as usize];
-            let mut around = !0;
-            for axis in 0..3 {
-                let (low, high) = (Vec4::splat(low[axis]), Vec4::splat(high[axis]));
-                around &=
-                    mask(|half| node.faces[axis][half].cmple(high) & node.faces[axis + 3][half].cmpge(low));
-            }
-            while around != 0 {
-                stack.push(node.children[around.trailing_zeros() as usize % WIDTH]);
-                around &= around - 1;
+            let mut near = near(node);
+            while near != 0 {
+                stack.push(node.children[near.trailing_zeros() as usize % WIDTH]);
+                near &= near - 1;
             }
         }
         false

@@ -8,10 +8,13 @@ use crate::math::{Bounds, DVec3};
 /// the work of rounding.
 const BLUR: f64 = 1e-12;
 
+/// The points of a hull.
+pub type Points = SmallVec<[DVec3; 12]>;
+
 /// The convex hull of a few points around the triangle of the first three.
 #[derive(Clone, Debug)]
 pub struct Hull {
-    points: SmallVec<[DVec3; 12]>,
+    points: Points,
     bounds: Bounds,
     /// Directions in which the hull may be apart from a box that its own bounds meet.
     axes: [DVec3; 10],
@@ -19,7 +22,7 @@ pub struct Hull {
 
 impl Hull {
     /// The hull of at least three finite points.
-    pub fn new(points: SmallVec<[DVec3; 12]>) -> Self {
+    pub fn new(points: Points) -> Self {
         let sides = [points[1] - points[0], points[2] - points[0], points[2] - points[1]];
         let across = |side: DVec3| DVec3::AXES.map(|axis| side.cross(axis));
         let [[a, b, c], [d, e, f], [g, h, i]] = sides.map(across);

@@ -11,7 +11,7 @@ mod linear;
 mod tests;
 
 pub use bvh::Bvh;
-pub use hull::Hull;
+pub use hull::{Hull, Points};
 pub use linear::{Linear, Slabs};
 
 use super::ray::{Range, Ray};

@@ -37,24 +37,32 @@ impl Way<'_> {
 }
 
 impl Parts {
-    /// Finds all crossings of an object's leaves, sorted; only those that survive count.
-    pub(super) fn gather_sorted(
+    /// Finds all crossings of an object's leaves, sorted, for `decide` to tell which of them survive.
+    /// `None` where the ray misses the object's box.
+    pub(super) fn with_crossings<R>(
         &self,
         member: Member,
         ray: &Ray,
         range: Range,
         kind: RayKind,
-        scratch: &mut Scratch,
-    ) {
-        scratch.found.clear();
-        scratch.near.clear();
+        decide: impl FnOnce(&Scratch) -> R,
+    ) -> Option<R> {
         let slabs = Slabs::new(ray);
+        if !slabs.meet(&self.extent(member).bounds, range) {
+            return None;
+        }
         // Coincident faces just beyond the end take part in the decision about those before it.
         let beyond = Range { min: range.min, max: range.max + range.max.abs() * COARSE };
-        self.gather(member, Way { ray, slabs: &slabs, range: beyond, kind, parent: None }, scratch);
-        if scratch.found.len() > 1 {
-            scratch.found.sort_unstable_by(|a, b| a.t().total_cmp(&b.t()).then(b.leaf.cmp(&a.leaf)));
-        }
+        let way = Way { ray, slabs: &slabs, range: beyond, kind, parent: None };
+        Some(Scratch::lend(|scratch| {
+            scratch.found.clear();
+            scratch.near.clear();
+            self.gather(member, way, scratch);
+            if scratch.found.len() > 1 {
+                scratch.found.sort_unstable_by(|a, b| a.t().total_cmp(&b.t()).then(b.leaf.cmp(&a.leaf)));
+            }
+            decide(scratch)
+        }))
     }
 
     /// Adds a member and everything of it that is near the ray. Answers how to tell its inside.

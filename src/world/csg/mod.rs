@@ -13,9 +13,7 @@ mod scratch;
 mod survive;
 
 pub(super) use scratch::Found;
-use scratch::Scratch;
 
-use super::accel::Slabs;
 use super::object::{Member, RayKind};
 use super::parts::Parts;
 use super::ray::{Range, Ray};
@@ -68,11 +66,7 @@ impl Parts {
 
     /// As [`Parts::nearest`], for what is cut or made of several primitives.
     fn nearest_of_many(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
-        if !Slabs::new(ray).meet(&self.extent(member).bounds, range) {
-            return None;
-        }
-        Scratch::lend(|scratch| {
-            self.gather_sorted(member, ray, range, kind, scratch);
+        self.with_crossings(member, ray, range, kind, |scratch| {
             let found = &scratch.found;
             let first =
                 (0..found.len()).find(|&i| range.contains(found[i].t()) && self.survives(ray, scratch, i))?;
@@ -83,7 +77,7 @@ impl Parts {
                 if wins { i } else { best }
             });
             Some(found[last])
-        })
+        })?
     }
 
     /// Hands out all points of an object's surface in ascending order until told to stop.
@@ -95,16 +89,13 @@ impl Parts {
         kind: RayKind,
         mut visit: impl FnMut(Found) -> bool,
     ) -> bool {
-        if !Slabs::new(ray).meet(&self.extent(member).bounds, range) {
-            return false;
-        }
-        Scratch::lend(|scratch| {
-            self.gather_sorted(member, ray, range, kind, scratch);
+        let stopped = self.with_crossings(member, ray, range, kind, |scratch| {
             let found = &scratch.found;
             (0..found.len())
                 .filter(|&i| range.contains(found[i].t()) && self.survives(ray, scratch, i))
                 .any(|i| visit(found[i]))
-        })
+        });
+        stopped == Some(true)
     }
 
     /// How far rounding may have moved a crossing along the ray.

@@ -107,18 +107,10 @@ mod tests {
 
     fn light(kind: Kind) -> Light {
         Light {
-            kind,
             location: DVec3::new(1.0, 2.0, 3.0),
             point_at: DVec3::new(1.0, -2.0, 4.0),
             axis: DVec3::new(0.0, -4.0, 1.0).normalize(),
-            color: crate::math::Rgb::ONE,
-            parallel: false,
-            fade: None,
-            area: None,
-            projected_through: None,
-            shadowless: false,
-            media_interaction: true,
-            media_attenuation: false,
+            ..super::super::tests::light(kind)
         }
     }
 

@@ -3,7 +3,8 @@
 use super::*;
 use crate::math::DVec2;
 
-fn light(kind: Kind) -> Light {
+/// A white light at the origin that points along z.
+pub(super) fn light(kind: Kind) -> Light {
     Light {
         kind,
         location: DVec3::ZERO,
