@@ -1,6 +1,6 @@
 //! `height_field` (docs/spec/primitives.md 5.4).
 
-use super::triangle::{Meeting, Sheared, face_normal};
+use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape};
 use crate::math::wide::widest;
 use crate::math::{Bounds, DVec3};
@@ -100,9 +100,11 @@ impl HeightField {
                     let triangles = parts.clone().map(|part| self.triangle(part));
                     let candidates = sheared.may_meet::<{ 2 * BLOCK * BLOCK }>(triangles);
                     for (_, part) in parts.enumerate().filter(|(place, _)| candidates & 1 << place != 0) {
-                        let hit = sheared.meet(self.triangle(part));
+                        let corners = self.triangle(part);
+                        let hit = sheared.meet(corners);
                         let hit = hit.filter(|hit| range.min < hit.t && hit.t < max);
-                        if let Some(hit) = hit.filter(|hit| ray.at(hit.t).y >= self.water) {
+                        // The triangle's own height: the ray's would fray what lies level with the water.
+                        if let Some(hit) = hit.filter(|hit| blend(corners, hit.at).y >= self.water) {
                             max = found(part, hit).unwrap_or(max);
                         }
                     }
@@ -216,7 +218,7 @@ impl Shape for HeightField {
     }
 
     fn reproject(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
-        super::triangle::blend(self.triangle(crossing.part), crossing.at)
+        blend(self.triangle(crossing.part), crossing.at)
     }
 }
 
@@ -275,6 +277,22 @@ mod tests {
             inside <0.9,0.26,0.7> | 1
             extent | <0, 0.249999985098839, 0> .. <1, 0.799987852573395, 1>",
         );
+    }
+
+    #[test]
+    fn what_lies_level_with_the_water_is_seen_from_everywhere() {
+        let flat = HeightField::new([5, 5], vec![0; 25], 0.0, true).unwrap();
+        let aims = (0..1000).map(|i| {
+            let (x, z) = (f64::from(i) / 1000.0, f64::from(i * 7 % 1000) / 1000.0);
+            Ray::new(DVec3::new(1.0 - z, 3.0, 2.0 * x), DVec3::new(2.0 * x + z - 1.0, -3.0, z - 2.0 * x) * 0.7)
+        });
+        let over = |ray: &Ray| {
+            let p = ray.at(-ray.origin.y / ray.direction.y);
+            p.x > 0.0 && p.x < 1.0 && p.z > 0.0 && p.z < 1.0
+        };
+        let over: Vec<_> = aims.filter(over).collect();
+        assert!(over.len() > 100);
+        assert!(over.iter().all(|ray| flat.nearest(ray, Range::AHEAD).is_some()));
     }
 
     #[test]
