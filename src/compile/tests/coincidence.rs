@@ -88,3 +88,10 @@ fn a_solid_minus_itself_is_nothing() {
 fn a_flush_clip_leaves_the_face() {
     compare("clip", clipped(unit_box(), [unit_box()]), unit_box());
 }
+
+#[test]
+fn a_clipped_solid_takes_away_the_face_it_stands_on() {
+    let above = cube(v(-2., -2., 1.), v(2., 2., 4.));
+    let dome = clipped(sphere(Z, 0.5), [above]);
+    compare("dome", merge([unit_box(), dome]), merge([unit_box(), sphere(Z, 0.5)]));
+}

@@ -28,11 +28,15 @@ impl Parts {
             return extent.beyond;
         }
         let clips = self.limits(member).map_or(&[][..], |limits| &limits.clips);
-        clips.iter().all(|&clip| self.inside(clip, point))
-            && match member {
-                Member::Leaf(number) => self.leaf(number).contains(point),
-                Member::Group(number) => self.inside_group(number, point),
-            }
+        clips.iter().all(|&clip| self.inside(clip, point)) && self.inside_unclipped(member, point)
+    }
+
+    /// Whether `point` is inside a member, be it clipped away or not.
+    fn inside_unclipped(&self, member: Member, point: DVec3) -> bool {
+        match member {
+            Member::Leaf(number) => self.leaf(number).contains(point),
+            Member::Group(number) => self.inside_group(number, point),
+        }
     }
 
     fn inside_group(&self, group: u32, point: DVec3) -> bool {

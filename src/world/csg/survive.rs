@@ -18,7 +18,7 @@ impl Parts {
         let place = Place::new(self, ray, &scratch.found, which);
         loop {
             let Near { member: what, parent, .. } = tree.near[member];
-            if !tree.clips_spare(what, &place) {
+            if !tree.clips_spare(what, place.t, place.step) {
                 return false;
             }
             let Some(parent) = parent.map(|parent| parent as usize) else {
@@ -54,18 +54,28 @@ impl Tree<'_> {
 
     /// Whether the point at a distance is inside a member.
     fn inside(&self, member: usize, t: f64) -> bool {
+        let what = self.near[member].member;
         match self.near[member].inside {
             Inside::Between { enter, leave, inverted } => (enter < t && t < leave) != inverted,
             Inside::Constant(inside) => inside,
             Inside::Surface => false,
-            Inside::Point => self.parts.inside(self.near[member].member, self.ray.at(t)),
-            Inside::Members => {
-                let limits = self.parts.limits(self.near[member].member);
-                let clips = limits.map_or(&[][..], |limits| &limits.clips);
-                clips.iter().all(|&clip| self.parts.inside(clip, self.ray.at(t)))
-                    && self.inside_others(member, None, t)
-            }
+            Inside::Point if self.clips(what).is_empty() => self.parts.inside(what, self.ray.at(t)),
+            Inside::Point => self.clipped_to(what, t) && self.parts.inside_unclipped(what, self.ray.at(t)),
+            Inside::Members => self.clipped_to(what, t) && self.inside_others(member, None, t),
         }
+    }
+
+    fn clips(&self, member: Member) -> &[Member] {
+        self.parts.limits(member).map_or(&[], |limits| &limits.clips)
+    }
+
+    /// Whether a member's clips leave the point at a distance.
+    fn clipped_to(&self, member: Member, t: f64) -> bool {
+        if self.clips(member).is_empty() {
+            return true;
+        }
+        let scale = self.ray.origin.abs().max(self.ray.at(t).abs()).max_element();
+        self.clips_spare(member, t, FINE * scale / self.ray.direction.length())
     }
 
     /// Whether the point at a distance is inside a compound from which one member is taken away.
@@ -98,11 +108,11 @@ impl Tree<'_> {
         }
     }
 
-    /// Whether clips leave a point: they are closed, so that rounding can't fray coincident faces.
-    fn clips_spare(&self, member: Member, place: &Place) -> bool {
-        let clips = self.parts.limits(member).map_or(&[][..], |limits| &limits.clips);
-        clips.iter().all(|&clip| {
-            let points = [place.t, place.t - place.step, place.t + place.step].map(|t| self.ray.at(t));
+    /// Whether clips leave a point: they are closed, by a step to both sides, so that rounding can't
+    /// fray coincident faces.
+    fn clips_spare(&self, member: Member, t: f64, step: f64) -> bool {
+        self.clips(member).iter().all(|&clip| {
+            let points = [t, t - step, t + step].map(|t| self.ray.at(t));
             points.iter().any(|&point| self.parts.inside(clip, point))
         })
     }
