@@ -10,7 +10,7 @@ use super::flatten::{Flattener, Inherited};
 use super::probe::inside_of;
 use super::shape::{self, Compiled};
 use super::texture::TextureCompiler;
-use crate::math::{Bounds, DVec3};
+use crate::math::{Bounds, DVec3, Transform};
 use crate::scene::object::ObjectFlags;
 use crate::scene::texture::{LegacyFinish, TextureBody};
 use crate::scene::{Object, Shape, Texture};
@@ -23,7 +23,7 @@ use crate::world::{Leaf, Member, RayKind};
 const MOST_NESTED: u32 = 200;
 
 /// Big primitives that several objects share, by the identity of their description.
-pub(super) type ShapeCache = FxHashMap<*const (), Compiled>;
+pub(super) type ShapeCache = FxHashMap<(*const (), u64), Compiled>;
 
 impl Flattener<'_> {
     /// What an object has, of its own or inherited.
@@ -94,7 +94,7 @@ impl Flattener<'_> {
     }
 
     fn leaf(&mut self, primitive: &Shape, object: &Object, own: &Inherited) -> Option<Member> {
-        let compiled = match self.primitive(primitive, object) {
+        let compiled = match self.primitive(primitive, object, own.inner(object).as_deref()) {
             Ok(compiled) => compiled,
             Err(unsupported) => {
                 self.flat.unsupported.push(unsupported);
@@ -159,20 +159,26 @@ impl Flattener<'_> {
         Some(Member::Leaf(self.flat.parts.leaves.len() as u32 - 1))
     }
 
-    /// The primitive of an object in its own space.
-    pub(super) fn primitive(&mut self, primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> {
-        let Some(identity) = identity(primitive) else {
-            return self.compile(primitive, object);
+    /// The primitive of an object in its own space, made to be seen from that around it.
+    pub(super) fn primitive(
+        &mut self,
+        primitive: &Shape,
+        object: &Object,
+        outer: Option<&Transform>,
+    ) -> Result<Compiled, Unsupported> {
+        let enlarged = outer.map_or(1.0, |outer| enlargement(primitive, outer));
+        let Some(identity) = identity(primitive, enlarged) else {
+            return self.compile(primitive, object, enlarged);
         };
         if let Some(compiled) = self.shapes.get(&identity) {
             return Ok(compiled.clone());
         }
-        let compiled = self.compile(primitive, object)?;
+        let compiled = self.compile(primitive, object, enlarged)?;
         self.shapes.insert(identity, compiled.clone());
         Ok(compiled)
     }
 
-    fn compile(&self, primitive: &Shape, object: &Object) -> Result<Compiled, Unsupported> {
+    fn compile(&self, primitive: &Shape, object: &Object, enlarged: f64) -> Result<Compiled, Unsupported> {
         let inside = |object: &Arc<Object>| inside_of(object, self.settings);
         let mut functions = TextureCompiler::new(self.settings).with_objects(&inside);
         match primitive {
@@ -180,15 +186,29 @@ impl Flattener<'_> {
             Shape::Isosurface(surface) => shape::isosurface::isosurface(surface, &mut functions),
             Shape::Parametric(surface) => shape::parametric::parametric(surface, &mut functions),
             Shape::Text(text) => shape::text::text(text, object.span),
+            Shape::BicubicPatch(patch) => Ok(shape::bicubic_patch(patch, enlarged)),
             _ => shape::shape(primitive)
                 .map_err(|keyword| Unsupported::new(object.span, format!("`{keyword}`"))),
         }
     }
 }
 
-/// Where the description of a big primitive is, which its copies share.
-fn identity(primitive: &Shape) -> Option<*const ()> {
-    Some(match primitive {
+/// How many times larger a primitive whose fineness is a length in the scene is seen from around it,
+/// 1 or more: what is made smaller keeps its shape, where POV-Ray's becomes coarser
+/// (docs/spec/primitives.md 9).
+fn enlargement(primitive: &Shape, outer: &Transform) -> f64 {
+    match primitive {
+        Shape::BicubicPatch(_) => {
+            DVec3::AXES.map(|axis| outer.vector(axis).length()).into_iter().fold(1.0, f64::max)
+        }
+        _ => 1.0,
+    }
+}
+
+/// What the copies of a big primitive share: where its description is, and the bits of how many times
+/// it is enlarged.
+fn identity(primitive: &Shape, enlarged: f64) -> Option<(*const (), u64)> {
+    let description = match primitive {
         Shape::Mesh(mesh) => Arc::as_ptr(mesh).cast(),
         Shape::HeightField(field) => Arc::as_ptr(field).cast(),
         Shape::Text(text) => Arc::as_ptr(text).cast(),
@@ -197,7 +217,8 @@ fn identity(primitive: &Shape) -> Option<*const ()> {
         Shape::Isosurface(surface) => Arc::as_ptr(surface).cast(),
         Shape::Parametric(surface) => Arc::as_ptr(surface).cast(),
         _ => return None,
-    })
+    };
+    Some((description, enlarged.to_bits()))
 }
 
 /// The textures that parts of a primitive refer to by number.

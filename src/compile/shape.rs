@@ -62,6 +62,12 @@ impl From<Primitive> for Compiled {
     }
 }
 
+/// A patch that is seen so many times larger; POV-Ray's flatness is a length in the scene.
+pub(super) fn bicubic_patch(patch: &scene::BicubicPatch, enlarged: f64) -> Compiled {
+    let flatness = patch.flatness / enlarged;
+    Compiled::rare(BicubicPatch::new(&patch.points, flatness, patch.steps, patch.uv))
+}
+
 /// Compiles a geometry; the error is the keyword of one that povista can't render yet.
 ///
 /// What POV-Ray accepts and never hits (docs/spec/primitives.md 1.9) becomes an empty shape. Compound
@@ -87,7 +93,7 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::Quadric(q) => Compiled::rare(Some(Quadric::new(q.squares, q.products, q.linear, q.constant))),
         S::Mesh(mesh) => triangles(mesh),
         S::Poly(poly) => Compiled::rare(Poly::new(poly.order, &poly.coefficients)),
-        S::BicubicPatch(p) => Compiled::rare(BicubicPatch::new(&p.points, p.flatness, p.steps, p.uv)),
+        S::BicubicPatch(patch) => bicubic_patch(patch, 1.0),
         S::Blob(blob) => Compiled::rare(Some(field(blob))),
         S::HeightField(_) => return Err("height_field"),
         S::Isosurface(_) => return Err("isosurface"),

@@ -284,7 +284,10 @@ mod tests {
         let flat = HeightField::new([5, 5], vec![0; 25], 0.0, true).unwrap();
         let aims = (0..1000).map(|i| {
             let (x, z) = (f64::from(i) / 1000.0, f64::from(i * 7 % 1000) / 1000.0);
-            Ray::new(DVec3::new(1.0 - z, 3.0, 2.0 * x), DVec3::new(2.0 * x + z - 1.0, -3.0, z - 2.0 * x) * 0.7)
+            Ray::new(
+                DVec3::new(1.0 - z, 3.0, 2.0 * x),
+                DVec3::new(2.0 * x + z - 1.0, -3.0, z - 2.0 * x) * 0.7,
+            )
         });
         let over = |ray: &Ray| {
             let p = ray.at(-ray.origin.y / ray.direction.y);
