@@ -36,10 +36,37 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let mut sum = Rgb::ZERO;
+        if at.plain {
+            // Nobody else asks for these arrivals.
+            let world = self.world;
+            for &number in &world.light_sets[at.leaf.lights as usize] {
+                if let Some(mut arrival) = self.arrival(at, number) {
+                    sum += self.lamp(at, &mut arrival, surface, position);
+                }
+            }
+            return sum;
+        }
         for index in self.arrivals(at) {
-            sum += self.lamp(at, index, surface, position);
+            let mut arrival = self.arrivals[index];
+            sum += self.lamp(at, &mut arrival, surface, position);
+            self.arrivals[index] = arrival;
         }
         sum
+    }
+
+    /// What a lamp sends to the hit; `None` where it is dark.
+    fn arrival(&mut self, at: &At, number: u32) -> Option<Arrival> {
+        let light = &self.world.lights[number as usize];
+        let mut incident = light.reaching(at.surface.point);
+        if self.illuminating(light).is_some() {
+            // Each place of the grid has its own attenuation.
+            incident.color = light.color;
+        }
+        if incident.is_dark() {
+            self.statistics.lights_dark += 1;
+            return None;
+        }
+        Some(Arrival { light: number, incident, unblocked: None })
     }
 
     /// The lamps that reach the hit, found once for all its layers.
@@ -50,16 +77,8 @@ impl Tracer<'_> {
         let first = self.arrivals.len();
         let world = self.world;
         for &number in &world.light_sets[at.leaf.lights as usize] {
-            let light = &world.lights[number as usize];
-            let mut incident = light.reaching(at.surface.point);
-            if self.illuminating(light).is_some() {
-                // Each place of the grid has its own attenuation.
-                incident.color = light.color;
-            }
-            if incident.is_dark() {
-                self.statistics.lights_dark += 1;
-            } else {
-                self.arrivals.push(Arrival { light: number, incident, unblocked: None });
+            if let Some(arrival) = self.arrival(at, number) {
+                self.arrivals.push(arrival);
             }
         }
         let found = first..self.arrivals.len();
@@ -68,8 +87,8 @@ impl Tracer<'_> {
     }
 
     /// The light one lamp makes a layer send to the eye.
-    fn lamp(&mut self, at: &At, index: usize, surface: &Surface, position: DVec3) -> Rgb {
-        let Arrival { light: number, mut incident, unblocked } = self.arrivals[index];
+    fn lamp(&mut self, at: &At, arrival: &mut Arrival, surface: &Surface, position: DVec3) -> Rgb {
+        let Arrival { light: number, mut incident, unblocked } = *arrival;
         let light = &self.world.lights[number as usize];
         let grid = self.illuminating(light);
         let mut back = false;
@@ -84,7 +103,7 @@ impl Tracer<'_> {
             Some(known) => known,
             None => {
                 let found = self.unblocked(&at.target(), light, &incident);
-                self.arrivals[index].unblocked = Some(found);
+                arrival.unblocked = Some(found);
                 found
             }
         };

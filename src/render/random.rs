@@ -1,21 +1,35 @@
 //! Randomness that belongs to a sample, not to a thread.
 
 /// A sequence of numbers that depends only on where the sample is.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Random {
-    state: u64,
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Random {
+    /// Nobody has asked yet, as for most samples: image coordinates and seed.
+    Fresh([u64; 3]),
+    /// The state after the last number.
+    Running(u64),
+}
+
+impl Default for Random {
+    fn default() -> Self {
+        Self::Running(0)
+    }
 }
 
 impl Random {
     /// The sequence of the sample at image coordinates (x, y); every `seed` has others.
     pub(super) fn of_sample(x: f64, y: f64, seed: u64) -> Self {
-        Self { state: scramble(scramble(scramble(x.to_bits()) ^ y.to_bits()) ^ seed) }
+        Self::Fresh([x.to_bits(), y.to_bits(), seed])
     }
 
     /// The next number, uniform in [0, 1).
     pub(super) fn next(&mut self) -> f64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        (scramble(self.state) >> 11) as f64 / (1u64 << 53) as f64
+        let before = match *self {
+            Self::Fresh([x, y, seed]) => scramble(scramble(scramble(x) ^ y) ^ seed),
+            Self::Running(state) => state,
+        };
+        let state = before.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        *self = Self::Running(state);
+        (scramble(state) >> 11) as f64 / (1u64 << 53) as f64
     }
 }
 

@@ -10,8 +10,16 @@ use crate::world::interior::AIR;
 const STRAIGHT: f64 = 1e-10;
 
 /// The interiors a ray has entered and not left, by number, in the order of entry.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Inside(SmallVec<[u32; 6]>);
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Inside(SmallVec<[u32; 4]>);
+
+impl Clone for Inside {
+    /// Every ray has its own: most are inside of nothing, and numbers need no cloning one by one.
+    #[inline]
+    fn clone(&self) -> Self {
+        if self.0.is_empty() { Self::default() } else { Self(SmallVec::from_slice(&self.0)) }
+    }
+}
 
 /// What happens to a ray that goes through a surface.
 #[derive(Clone, Debug, PartialEq)]

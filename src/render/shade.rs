@@ -31,6 +31,8 @@ pub(super) struct At<'a> {
     attenuation: Rgb,
     /// What happens to light that goes through; `None` until something does.
     passage: Option<Passage>,
+    /// Whether one layer of one texture is all there is to be lit.
+    pub(super) plain: bool,
     /// The lamps' light, by index into the tracer's list; `None` until a layer asks.
     pub(super) arrivals: Option<Span<usize>>,
 }
@@ -38,7 +40,7 @@ pub(super) struct At<'a> {
 impl At<'_> {
     /// What lamps shine on.
     pub(super) fn target(&self) -> Target<'_> {
-        Target { surface: self.surface, inside: &self.path.inside, among: None }
+        Target { surface: &self.surface, inside: &self.path.inside, among: None }
     }
 }
 
@@ -131,7 +133,7 @@ impl Tracer<'_> {
                 return Shaded { color: Rgb::ZERO, transmit: 0.0, onward: Some(onward) };
             }
         }
-        let mut at = At { path, surface, leaf, attenuation, passage: None, arrivals: None };
+        let mut at = At { path, surface, leaf, attenuation, passage: None, plain: false, arrivals: None };
         let mut sum = Sum::default();
         textures::resolve(world, &path.ray, hit, &surface, &mut |weight, layers, sample| {
             self.statistics.texture_evaluations += 1;
@@ -152,6 +154,7 @@ impl Tracer<'_> {
 
     /// Shades one plain texture, a member of a blend with the share `blend`.
     fn texture(&mut self, at: &mut At, blend: f32, layers: &[Layer], sample: &mut Sample, sum: &mut Sum) {
+        at.plain = blend == 1.0 && layers.len() == 1;
         let bailout = self.world.settings.adc_bailout;
         let first_mirror = self.mirrors.len();
         let mut stack = Stack { color: Rgb::ZERO, through: Rgb::ONE, share: 1.0, top: None };

@@ -19,7 +19,7 @@ const MANY_RAYS: u32 = 64;
 /// What lamps shine on: a surface, or a point in media.
 #[derive(Clone, Copy)]
 pub(super) struct Target<'a> {
-    pub(super) surface: Intersection,
+    pub(super) surface: &'a Intersection,
     /// What is around it.
     pub(super) inside: &'a Inside,
     /// The only objects that may be in the way, where that is known.
@@ -75,7 +75,7 @@ impl Tracer<'_> {
         if area.least_rays() < MANY_RAYS {
             return None;
         }
-        let Intersection { point, geometric, error, .. } = at.surface;
+        let Intersection { point, geometric, error, .. } = *at.surface;
         let mut points = Points::new();
         points.push(point + error * geometric);
         points.extend(area.corners(area.axes_towards(incident.direction)).map(|c| light.location + c));

@@ -26,6 +26,13 @@ pub(super) fn resolve(
     let sample = Sample::on_surface(surface.textured, surface.normal, ray.direction, uv);
     let sample = if leaf.flags.contains(LeafFlags::UV_MAPPING) { sample.uv_mapped() } else { sample };
     let bailout = world.settings.adc_bailout;
+    if let (Some(number), true) = (whole(leaf, surface), leaf.own_textures.is_empty()) {
+        // Most leaves show one texture.
+        if bailout <= 1.0 {
+            world.textures[number as usize].resolve(&sample, shade);
+        }
+        return;
+    }
     for (number, share) in shares(world, leaf, hit, surface) {
         if share >= bailout {
             let texture = &world.textures[number as usize];
@@ -34,15 +41,15 @@ pub(super) fn resolve(
     }
 }
 
-/// The textures of a leaf at a hit.
+/// The texture of a leaf as a whole.
+fn whole(leaf: &Leaf, surface: &Intersection) -> Option<u32> {
+    leaf.interior_texture.filter(|_| surface.inside).or(leaf.texture)
+}
+
+/// The textures at a hit of a leaf that brings its own, or has none.
 fn shares(world: &World, leaf: &Leaf, hit: &Hit, surface: &Intersection) -> Shares {
     let mut shares = Shares::new();
-    let inner = leaf.interior_texture.filter(|_| surface.inside);
-    let whole = inner.or(leaf.texture);
-    if let (Some(number), true) = (whole, leaf.own_textures.is_empty()) {
-        shares.push((number, 1.0));
-        return shares;
-    }
+    let whole = whole(leaf, surface);
     leaf.primitive.textures(leaf.inner_point(surface.textured), &hit.crossing, &mut |number, share| {
         let own = || leaf.own_textures.clone().nth(number as usize);
         let texture = if number == OWN_TEXTURE { whole } else { own() };

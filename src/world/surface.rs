@@ -47,13 +47,20 @@ impl Geometry {
         let inner = leaf.primitive.reproject(inner_ray.at(hit.t), &hit.crossing);
         let outer = |inner| leaf.transform.as_ref().map_or(inner, |transform| transform.point(inner));
         let point = outer(inner);
-        let lag = leaf.primitive.lag(&hit.crossing);
-        let behind = if lag == 0.0 { inner } else { inner_ray.at(hit.t + lag) };
-        let textured = if lag == 0.0 { point } else { outer(behind) };
-        let normal = leaf.primitive.outer_normal(behind, &hit.crossing, &|normal| leaf.outer_normal(normal));
-        let geometric = match lag == 0.0 && !leaf.primitive.interpolates() {
-            true => normal,
-            false => leaf.outer_normal(leaf.primitive.geometric_normal(inner, &hit.crossing)),
+        let [textured, normal, geometric] = if leaf.primitive.is_simple() {
+            let normal = leaf.outer_normal(leaf.primitive.normal(inner, &hit.crossing));
+            [point, normal, normal]
+        } else {
+            let lag = leaf.primitive.lag(&hit.crossing);
+            let behind = if lag == 0.0 { inner } else { inner_ray.at(hit.t + lag) };
+            let textured = if lag == 0.0 { point } else { outer(behind) };
+            let normal =
+                leaf.primitive.outer_normal(behind, &hit.crossing, &|normal| leaf.outer_normal(normal));
+            let geometric = match lag == 0.0 && !leaf.primitive.interpolates() {
+                true => normal,
+                false => leaf.outer_normal(leaf.primitive.geometric_normal(inner, &hit.crossing)),
+            };
+            [textured, normal, geometric]
         };
         let inside = normal.dot(ray.direction) > 0.0;
         let turn = |n: DVec3| if inside { -n } else { n };

@@ -84,7 +84,13 @@ impl Texture {
     /// POV-Ray shades them (docs/spec/patterns-textures.md 7.2). Shares add up to 1. What `shade`
     /// leaves as the sample's bent normal is what later patterns see.
     pub fn resolve(&self, sample: &Sample, shade: &mut dyn FnMut(f32, &[Layer], &mut Sample)) {
-        self.walk(1.0, &mut sample.clone(), shade);
+        let mut sample = *sample;
+        match &*self.body {
+            TextureBody::Layered { layers, .. } if self.placement.is_empty() => {
+                shade(1.0, layers, &mut sample)
+            }
+            _ => self.walk(1.0, &mut sample, shade),
+        }
     }
 
     fn walk(&self, weight: f32, sample: &mut Sample, shade: &mut dyn FnMut(f32, &[Layer], &mut Sample)) {

@@ -42,6 +42,18 @@ impl Samples {
         // The table pays from some thousand pixels on, and only while it is small.
         let many = bits <= 8 && image.pixels.len() > 4096;
         let steps = (many && ditherer.is_none()).then(|| Steps::new(curve, bits));
+        if let (Some(steps), Format::Png | Format::Ppm, 3) = (&steps, encoding.format, channels) {
+            // The most common picture of all.
+            let values =
+                image.pixels.iter().flat_map(|&[r, g, b, _]| [r, g, b].map(|value| steps.round(value)));
+            return Self {
+                width: image.width,
+                height: image.height,
+                channels,
+                bits,
+                values: values.collect(),
+            };
+        }
         let mut values = vec![0; image.pixels.len() * channels];
         let (width, height) = (image.width as usize, image.height as usize);
         for row in 0..height {

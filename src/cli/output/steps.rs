@@ -36,8 +36,10 @@ impl Steps {
     }
 
     /// The whole number that stands for `number`; 0 for what is none.
+    #[inline]
+    #[expect(clippy::manual_clamp, reason = "what is no number becomes 0 here, and stays none in `clamp`")]
     pub(super) fn round(&self, number: f32) -> u16 {
-        let number = number.clamp(0.0, 1.0);
+        let number = number.max(0.0).min(1.0);
         let mut value = self.first[(number * PARTS as f32) as usize];
         while number >= self.least[usize::from(value)] {
             value += 1;

@@ -94,7 +94,8 @@ impl Tracer<'_> {
             let shares: f32 = stretch.media.iter().map(|media| media.phase.share(cosine)).sum();
             let share = shares / stretch.media.len() as f32;
             if share != 0.0 {
-                let target = Target { surface, inside: stretch.inside, among: beam.among.as_deref() };
+                let target =
+                    Target { surface: &surface, inside: stretch.inside, among: beam.among.as_deref() };
                 sum += share * self.unblocked(&target, light, &incident);
             }
         }

@@ -17,6 +17,7 @@ impl Linear {
     }
 
     /// See [`Accel::along`](super::Accel::along).
+    #[inline(always)]
     pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> f64) {
         let slabs = Slabs::new(ray);
         let mut range = range;
@@ -46,6 +47,8 @@ impl Linear {
 pub struct Slabs {
     origin: DVec3,
     inverse: DVec3,
+    /// Whether the ray meets the high faces first, along each axis.
+    backward: [bool; 3],
 }
 
 /// A slab's distance is off by at most three roundings.
@@ -53,8 +56,10 @@ const SLACK: f64 = 4.0 * f64::EPSILON;
 
 impl Slabs {
     /// Prepares a ray.
+    #[inline(always)]
     pub fn new(ray: &Ray) -> Self {
-        Self { origin: ray.origin, inverse: ray.direction.recip() }
+        let inverse = ray.direction.recip();
+        Self { origin: ray.origin, inverse, backward: inverse.to_array().map(f64::is_sign_negative) }
     }
 
     /// Whether the box and the part of the ray in `range` share a point, or nearly so.
@@ -74,12 +79,18 @@ impl Slabs {
     /// Where the line enters the box and where it leaves; the wrong way round for a miss.
     #[inline(always)]
     pub fn overlap(&self, bounds: &Bounds) -> (f64, f64) {
-        let low = (bounds.min - self.origin) * self.inverse;
-        let high = (bounds.max - self.origin) * self.inverse;
-        // 0 * infinity: the ray lies in the plane of a face and never leaves the slab.
-        let along = low.is_nan_mask() | high.is_nan_mask();
-        let near = DVec3::select(along, DVec3::NEG_INFINITY, low.min(high));
-        let far = DVec3::select(along, DVec3::INFINITY, low.max(high));
-        (near.max_element(), far.min_element())
+        let (origin, inverse) = (self.origin.to_array(), self.inverse.to_array());
+        let (low, high) = (bounds.min.to_array(), bounds.max.to_array());
+        let (mut entry, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
+        for axis in 0..3 {
+            let (first, last) =
+                if self.backward[axis] { (high[axis], low[axis]) } else { (low[axis], high[axis]) };
+            let near = (first - origin[axis]) * inverse[axis];
+            let far = (last - origin[axis]) * inverse[axis];
+            // 0 * infinity is no number: the ray lies in the plane of the face, which bounds nothing.
+            entry = if near > entry { near } else { entry };
+            exit = if far < exit { far } else { exit };
+        }
+        (entry, exit)
     }
 }

@@ -37,6 +37,7 @@ pub type Film = DVec2;
 
 /// The place on the film of image coordinates in a picture of the given size; whole numbers are
 /// the middles of pixels (docs/spec/camera-image.md 2).
+#[inline]
 pub fn film(x: f64, y: f64, width: u32, height: u32) -> Film {
     Film::new((x + 0.5) / f64::from(width) - 0.5, 0.5 - (y + 0.5) / f64::from(height))
 }
@@ -103,6 +104,7 @@ impl Frame {
     }
 
     /// A ray from the eye in the direction `x right + y up + z direction`.
+    #[inline]
     fn ray(&self, x: f64, y: f64, z: f64) -> Ray {
         Ray::new(self.location, x * self.right + y * self.up + z * self.direction)
     }
@@ -111,6 +113,7 @@ impl Frame {
 impl Projection {
     /// The ray through a place on the film; `None` where the picture has none, as outside the
     /// fisheye's circle.
+    #[inline]
     pub fn project(&self, film: Film) -> Option<Projected> {
         match self {
             Self::Perspective(p) => Some(p.project(film)),
@@ -142,6 +145,7 @@ impl Projection {
 
 impl Camera {
     /// The unit ray through a place on the film, without the lens.
+    #[inline]
     pub fn ray(&self, film: Film) -> Option<Ray> {
         let Projected { ray, parameters } = self.projection.project(film)?;
         Some(self.bend(Ray::new(ray.origin, ray.direction.normalize_or_zero()), parameters))
@@ -149,6 +153,7 @@ impl Camera {
 
     /// A unit ray after the camera's `normal`, which is evaluated at the projection's two parameters
     /// (docs/spec/camera-image.md 6).
+    #[inline]
     pub fn bend(&self, ray: Ray, parameters: DVec2) -> Ray {
         let Some(normal) = &self.normal else { return ray };
         let sample = Sample::at(parameters.extend(0.0));

@@ -11,6 +11,7 @@ pub struct Perspective {
 
 impl Perspective {
     /// The ray `D + x R + y U` from the eye.
+    #[inline]
     pub fn project(&self, film: Film) -> Projected {
         Projected { ray: self.frame.ray(film.x, film.y, 1.0), parameters: film }
     }

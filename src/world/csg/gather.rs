@@ -67,40 +67,72 @@ impl Parts {
 
     /// Adds a member and everything of it that is near the ray. Answers how to tell its inside.
     fn gather(&self, member: Member, way: Way, scratch: &mut Scratch) -> Inside {
-        let place = scratch.near.len();
-        let near = Near { member, parent: way.parent, end: 0, inside: Inside::Point };
-        scratch.near.push(near);
-        if self.admits(member, way.ray) {
-            scratch.near[place].inside = match member {
-                Member::Leaf(number) => self.gather_leaf(number, place, way, scratch),
-                Member::Group(number) => self.gather_group(number, place, way, scratch),
-            };
+        match member {
+            Member::Leaf(number) => self.gather_leaf(number, way, scratch),
+            Member::Group(number) => {
+                let group = self.group(number);
+                let place = scratch.near.len();
+                scratch.near.push(Near {
+                    member,
+                    operation: Some(group.operation),
+                    clipped: group.limits.is_some(),
+                    parent: way.parent,
+                    end: 0,
+                    inside: Inside::Point,
+                });
+                if group.limits.is_none() || self.admits(member, way.ray) {
+                    scratch.near[place].inside = self.gather_group(group, place, way, scratch);
+                }
+                scratch.near[place].end = scratch.near.len() as u32;
+                scratch.near[place].inside
+            }
         }
-        scratch.near[place].end = scratch.near.len() as u32;
-        scratch.near[place].inside
     }
 
-    fn gather_leaf(&self, number: u32, place: usize, way: Way, scratch: &mut Scratch) -> Inside {
+    #[inline]
+    fn gather_leaf(&self, number: u32, way: Way, scratch: &mut Scratch) -> Inside {
         let leaf = self.leaf(number);
-        let ray = leaf.inner(way.ray);
-        let stretch = leaf.primitive.convex(&ray);
-        if !leaf.hidden.intersects(way.kind) {
-            match stretch {
-                Some(stretch) => {
-                    if let Some(stretch) = stretch {
-                        stretch.push(way.range, &mut scratch.crossings);
+        let place = scratch.near.len() as u32;
+        let mut inside = Inside::Point;
+        if leaf.limits.is_none() || self.admits(Member::Leaf(number), way.ray) {
+            let ray = leaf.inner(way.ray);
+            let seen = !leaf.hidden.intersects(way.kind);
+            let found = |crossing| Found { crossing, leaf: number, near: place };
+            match leaf.primitive.convex(&ray) {
+                Some(Some(stretch)) => {
+                    if seen {
+                        scratch.found.extend(stretch.ends(way.range).into_iter().flatten().map(found));
+                    }
+                    inside = inside_leaf(leaf, Some(Some((stretch.enter.t, stretch.leave.t))));
+                }
+                Some(None) => {
+                    inside = inside_leaf(leaf, Some(None));
+                    if matches!(inside, Inside::Constant(_)) {
+                        // Either it decides here and now, or it doesn't matter any more.
+                        return inside;
                     }
                 }
-                None => leaf.primitive.crossings(&ray, way.range, &mut scratch.crossings),
+                None => {
+                    if seen {
+                        leaf.primitive.crossings(&ray, way.range, &mut scratch.crossings);
+                        scratch.found.extend(scratch.crossings.drain(..).map(found));
+                    }
+                    inside = inside_leaf(leaf, None);
+                }
             }
-            let found = |crossing| Found { crossing, leaf: number, near: place as u32 };
-            scratch.found.extend(scratch.crossings.drain(..).map(found));
         }
-        inside_leaf(leaf, stretch.map(|stretch| stretch.map(|s| (s.enter.t, s.leave.t))))
+        scratch.near.push(Near {
+            member: Member::Leaf(number),
+            operation: None,
+            clipped: leaf.limits.is_some(),
+            parent: way.parent,
+            end: place + 1,
+            inside,
+        });
+        inside
     }
 
-    fn gather_group(&self, number: u32, place: usize, way: Way, scratch: &mut Scratch) -> Inside {
-        let group = self.group(number);
+    fn gather_group(&self, group: &Group, place: usize, way: Way, scratch: &mut Scratch) -> Inside {
         let mut way = Way { parent: Some(place as u32), ..way };
         let first_found = scratch.found.len();
         let decided = group.operation == Operation::Intersection

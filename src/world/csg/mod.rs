@@ -13,6 +13,7 @@ mod scratch;
 mod survive;
 
 pub(super) use scratch::Found;
+use survive::Tree;
 
 use super::object::{Member, RayKind};
 use super::parts::Parts;
@@ -71,13 +72,16 @@ impl Parts {
     /// As [`Parts::nearest`], for what is cut or made of several primitives.
     fn nearest_of_many(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
         self.with_crossings(member, ray, range, kind, |scratch| {
-            let found = &scratch.found;
-            let first =
-                (0..found.len()).find(|&i| range.contains(found[i].t()) && self.survives(ray, scratch, i))?;
+            let (found, tree) = (&scratch.found, Tree::new(self, ray, scratch));
+            let first = (0..found.len()).find(|&i| range.contains(found[i].t()) && tree.survives(i))?;
+            let t = found[first].t();
+            if found.get(first + 1).is_none_or(|next| next.t() - t > 2.0 * tree.coarse(t)) {
+                return Some(found[first]);
+            }
             let end = found[first].t() + self.slack(ray, found[first].leaf, &found[first].crossing);
             let tied = (first + 1..found.len()).take_while(|&i| found[i].t() <= end);
             let last = tied.filter(|&i| range.contains(found[i].t())).fold(first, |best, i| {
-                let wins = found[i].leaf > found[best].leaf && self.survives(ray, scratch, i);
+                let wins = found[i].leaf > found[best].leaf && tree.survives(i);
                 if wins { i } else { best }
             });
             Some(found[last])
@@ -94,9 +98,9 @@ impl Parts {
         mut visit: impl FnMut(Found) -> bool,
     ) -> bool {
         let stopped = self.with_crossings(member, ray, range, kind, |scratch| {
-            let found = &scratch.found;
+            let (found, tree) = (&scratch.found, Tree::new(self, ray, scratch));
             (0..found.len())
-                .filter(|&i| range.contains(found[i].t()) && self.survives(ray, scratch, i))
+                .filter(|&i| range.contains(found[i].t()) && tree.survives(i))
                 .any(|i| visit(found[i]))
         });
         stopped == Some(true)

@@ -3,12 +3,17 @@
 use std::cell::RefCell;
 
 use crate::world::object::Member;
+use crate::world::parts::Operation;
 use crate::world::shape::Crossing;
 
 /// A member near a ray. Those below a compound follow it, up to `end`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Near {
     pub(super) member: Member,
+    /// How a compound combines what is below.
+    pub(super) operation: Option<Operation>,
+    /// Whether clips take a part of it.
+    pub(super) clipped: bool,
     /// The compound it is part of, by its place among the members near the ray.
     pub(super) parent: Option<u32>,
     /// Behind the last of those below.
@@ -58,7 +63,7 @@ pub(super) struct Scratch {
 }
 
 thread_local! {
-    static SPARE: RefCell<Vec<Scratch>> = const { RefCell::new(Vec::new()) };
+    static SPARE: RefCell<Vec<Box<Scratch>>> = const { RefCell::new(Vec::new()) };
 }
 
 impl Scratch {

@@ -10,23 +10,37 @@ use crate::world::object::{LeafFlags, Member};
 use crate::world::parts::{Operation, Parts};
 use crate::world::ray::Ray;
 
-impl Parts {
+/// A tree of solids as far as it is near a ray.
+pub(super) struct Tree<'a> {
+    parts: &'a Parts,
+    ray: &'a Ray,
+    near: &'a [Near],
+    found: &'a [Found],
+    /// Length of the ray's direction.
+    length: f64,
+}
+
+impl<'a> Tree<'a> {
+    pub(super) fn new(parts: &'a Parts, ray: &'a Ray, scratch: &'a Scratch) -> Self {
+        let length = ray.direction.length();
+        Self { parts, ray, near: &scratch.near, found: &scratch.found, length }
+    }
+
     /// Whether a crossing is surface of the whole tree it belongs to.
-    pub(super) fn survives(&self, ray: &Ray, scratch: &Scratch, which: usize) -> bool {
-        let mut member = scratch.found[which].near as usize;
-        let tree = Tree { parts: self, ray, near: &scratch.near };
-        let place = Place::new(self, ray, &scratch.found, which);
+    pub(super) fn survives(&self, which: usize) -> bool {
+        let mut member = self.found[which].near as usize;
+        let place = Place::new(self, which);
         loop {
-            let Near { member: what, parent, .. } = tree.near[member];
-            if !tree.clips_spare(what, place.t, place.step) {
+            let near = &self.near[member];
+            if near.clipped && !self.clips_spare(near.member, place.t, place.step) {
                 return false;
             }
-            let Some(parent) = parent.map(|parent| parent as usize) else {
+            let Some(parent) = near.parent.map(|parent| parent as usize) else {
                 return true;
             };
-            let kept = match tree.operation(parent) {
-                Some(Operation::Intersection) => tree.others_agree(parent, member, &place, true),
-                Some(Operation::Merge) => tree.others_agree(parent, member, &place, false),
+            let kept = match self.near[parent].operation {
+                Some(Operation::Intersection) => self.others_agree(parent, member, &place, true),
+                Some(Operation::Merge) => self.others_agree(parent, member, &place, false),
                 Some(Operation::Union) | None => true,
             };
             if !kept {
@@ -35,21 +49,15 @@ impl Parts {
             member = parent;
         }
     }
-}
 
-/// A tree of solids as far as it is near a ray.
-struct Tree<'a> {
-    parts: &'a Parts,
-    ray: &'a Ray,
-    near: &'a [Near],
-}
+    /// Greatest distance within which crossings may be one, as rounding goes.
+    pub(super) fn coarse(&self, t: f64) -> f64 {
+        COARSE * self.scale(t) / self.length
+    }
 
-impl Tree<'_> {
-    fn operation(&self, compound: usize) -> Option<Operation> {
-        match self.near[compound].member {
-            Member::Group(number) => Some(self.parts.group(number).operation),
-            Member::Leaf(_) => None,
-        }
+    /// The greatest coordinate on the way to a distance.
+    fn scale(&self, t: f64) -> f64 {
+        self.ray.origin.abs().max(self.ray.at(t).abs()).max_element()
     }
 
     /// Whether the point at a distance is inside a member.
@@ -80,13 +88,18 @@ impl Tree<'_> {
 
     /// Whether the point at a distance is inside a compound from which one member is taken away.
     fn inside_others(&self, compound: usize, without: Option<usize>, t: f64) -> bool {
-        let decisive = self.operation(compound).is_some_and(Operation::decisive);
+        let Near { operation, end, .. } = self.near[compound];
+        let decisive = operation.is_some_and(Operation::decisive);
         let mut next = compound + 1;
-        while next < self.near[compound].end as usize {
-            if Some(next) != without && self.inside(next, t) == decisive {
+        while let Some(near) = self.near[..end as usize].get(next) {
+            let inside = match near.inside {
+                Inside::Between { enter, leave, inverted } => (enter < t && t < leave) != inverted,
+                _ => self.inside(next, t),
+            };
+            if inside == decisive && Some(next) != without {
                 return decisive;
             }
-            next = self.near[next].end as usize;
+            next = near.end as usize;
         }
         !decisive
     }
@@ -135,17 +148,17 @@ struct Place {
 }
 
 impl Place {
-    fn new(parts: &Parts, ray: &Ray, found: &[Found], which: usize) -> Self {
+    fn new(tree: &Tree, which: usize) -> Self {
+        let found = tree.found;
         let t = found[which].t();
-        let scale = ray.origin.abs().max(ray.at(t).abs()).max_element();
-        let length = ray.direction.length();
         let gap = |other: Option<&Found>| other.map_or(f64::INFINITY, |other| (other.t() - t).abs());
         let nearest = gap(found.get(which + 1)).min(gap(which.checked_sub(1).map(|i| &found[i])));
+        let coarse = tree.coarse(t);
         // The exact measure needs a normal; most crossings are alone.
-        if nearest > COARSE * scale / length {
-            return Self { t, around: None, step: 2.0 * FINE * scale / length };
+        if nearest > coarse {
+            return Self { t, around: None, step: 2.0 * FINE * tree.scale(t) / tree.length };
         }
-        let slack = parts.slack(ray, found[which].leaf, &found[which].crossing);
+        let slack = tree.parts.slack(tree.ray, found[which].leaf, &found[which].crossing);
         let step = 2.0 * slack;
         Self { t, around: (nearest <= slack).then_some([t - step, t + step]), step }
     }

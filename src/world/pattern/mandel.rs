@@ -98,6 +98,15 @@ fn square(z: DVec2) -> DVec2 {
 
 impl Fractal {
     pub(super) fn value(&self, p: DVec3) -> f64 {
+        // The loop is made for each step, which is a few operations.
+        match &self.iteration {
+            Iteration::Power(2) => self.iterate(p, |z, c| square(z) + c),
+            step => self.iterate(p, |z, c| step.step(z, c)),
+        }
+    }
+
+    #[inline(always)]
+    fn iterate(&self, p: DVec3, step: impl Fn(DVec2, DVec2) -> DVec2) -> f64 {
         let point = DVec2::new(p.x, p.y);
         let magnet = self.iteration.is_magnet();
         let c = self.julia.unwrap_or(point);
@@ -105,9 +114,9 @@ impl Fractal {
         let mut z = if starts_at_zero { DVec2::ZERO } else { point };
         let mut nearest = if starts_at_zero { 10000.0 } else { z.length_squared() };
         for count in 0..self.iterations {
-            z = self.iteration.step(z, c);
+            z = step(z, c);
             let square = z.length_squared();
-            nearest = square.min(nearest);
+            nearest = if square < nearest { square } else { nearest };
             let escaped = match magnet {
                 true => square > 10000.0 || (z - DVec2::X).length_squared() < 1.0 / 10000.0,
                 false => square > 4.0,

@@ -20,15 +20,13 @@ impl Cuboid {
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let mut all = Stretch::LINE;
         let (mut enter_slope, mut leave_slope) = (0.0, 0.0);
+        let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
+        let (min, max) = (self.min.to_array(), self.max.to_array());
         for axis in 0..3 {
             let part = 2 * axis as u32;
-            let slope = ray.direction[axis].abs();
-            let slab = Stretch::slab(
-                (self.min[axis], part),
-                (self.max[axis], part + 1),
-                ray.origin[axis],
-                ray.direction[axis],
-            )?;
+            let slope = direction[axis].abs();
+            let slab =
+                Stretch::slab((min[axis], part), (max[axis], part + 1), origin[axis], direction[axis])?;
             if slope == 0.0 {
                 continue;
             }
@@ -44,6 +42,7 @@ impl Cuboid {
 }
 
 /// Whether `t` lies beyond `other` in the sense of `sign`, or beside it within their rounding and `steeper`.
+#[inline]
 fn takes_over(t: f64, other: f64, sign: f64, steeper: bool) -> bool {
     let beyond = sign * (t - other);
     if beyond.abs() <= 4.0 * f64::EPSILON * t.abs() { steeper } else { beyond > 0.0 }

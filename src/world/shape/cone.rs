@@ -1,7 +1,7 @@
 //! `cone { base, base_radius, cap, cap_radius [open] }` (docs/spec/primitives.md 3.5).
 
 use super::cylinder::{BASE, CAP, SIDE, between_ends, border, keep_side};
-use super::stretch::Stretch;
+use super::stretch::{End, Stretch};
 use super::{Crossing, Shape};
 use crate::math::roots::{self, difference_of_products};
 use crate::math::{Bounds, DVec3};
@@ -89,8 +89,13 @@ impl Shape for Cone {
 
     #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let counts = |end: &Crossing| range.contains(end.t) && !(self.open && end.part != SIDE);
-        self.stretches(ray).into_iter().flatten().flat_map(|s| [s.enter, s.leave]).find(counts)
+        let counts = |end: &End| range.contains(end.t) && !(self.open && end.part != SIDE);
+        self.stretches(ray)
+            .into_iter()
+            .flatten()
+            .flat_map(|s| [s.enter, s.leave])
+            .find(counts)
+            .map(Crossing::from)
     }
 
     fn inside(&self, point: DVec3) -> bool {

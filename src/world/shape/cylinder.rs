@@ -1,6 +1,6 @@
 //! `cylinder { base, cap, radius [open] }` (docs/spec/primitives.md 3.4).
 
-use super::stretch::Stretch;
+use super::stretch::{End, Stretch};
 use super::{Crossing, Shape};
 use crate::math::{Bounds, DVec3, roots};
 use crate::world::{Range, Ray};
@@ -77,8 +77,8 @@ impl Shape for Cylinder {
     #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let stretch = self.stretch(ray)?;
-        let counts = |end: &Crossing| range.contains(end.t) && !(self.open && end.part != SIDE);
-        [stretch.enter, stretch.leave].into_iter().find(counts)
+        let counts = |end: &End| range.contains(end.t) && !(self.open && end.part != SIDE);
+        [stretch.enter, stretch.leave].into_iter().find(counts).map(Crossing::from)
     }
 
     fn inside(&self, point: DVec3) -> bool {

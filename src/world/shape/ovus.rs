@@ -1,7 +1,7 @@
 //! `ovus { bottom, top }`, an egg (docs/spec/primitives.md 3.11).
 
 use super::sphere::{Sphere, spherical_uv};
-use super::stretch::Stretch;
+use super::stretch::{End, Stretch};
 use super::torus::Torus;
 use super::{Crossing, Shape};
 use crate::math::{Bounds, DVec2, DVec3};
@@ -55,7 +55,7 @@ impl Ovus {
 
     fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let mut all: Option<Stretch> = None;
-        let mut add = |crossing: Crossing| {
+        let mut add = |crossing: End| {
             let one = Stretch { enter: crossing, leave: crossing };
             all = Some(all.map_or(one, |all| Stretch {
                 enter: if crossing.t < all.enter.t { crossing } else { all.enter },
@@ -64,8 +64,8 @@ impl Ovus {
         };
         for (part, ball) in (0..).zip(self.balls()) {
             if let Some(stretch) = ball.stretch(ray) {
-                add(Crossing::new(stretch.enter.t, part));
-                add(Crossing::new(stretch.leave.t, part));
+                add(End { part, ..stretch.enter });
+                add(End { part, ..stretch.leave });
             }
         }
         let mut band = Vec::new();
@@ -74,7 +74,7 @@ impl Ovus {
         for crossing in band.into_iter().filter(|crossing| crossing.part == 1) {
             let y = ray.at(crossing.t).y;
             if self.heights[0] < y && y < self.heights[1] {
-                add(Crossing::new(crossing.t, BAND));
+                add(End { t: crossing.t, part: BAND });
             }
         }
         all

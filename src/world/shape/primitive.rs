@@ -43,6 +43,12 @@ impl Primitive {
         }
     }
 
+    /// Whether textures are looked up at its crossings and its normals are those of the surface.
+    #[inline]
+    pub fn is_simple(&self) -> bool {
+        !matches!(self, Self::Triangle(_) | Self::Mesh(_) | Self::Other(_))
+    }
+
     /// Where a line is inside, if the shape is convex and all of its border is surface; the inner
     /// `None` where it is outside all along.
     #[inline]

@@ -63,7 +63,7 @@ impl Segment {
 
     /// The stretches of a line within: each run of balls that the line goes through is in one piece.
     /// The direction is a unit vector.
-    fn meet(&self, ray: &Ray, part: u32, found: &mut Vec<Stretch>) {
+    fn meet(&self, ray: &Ray, part: u32, found: &mut Vec<Stretch<Crossing>>) {
         let d = ray.direction;
         let mut from = self.0;
         from[0] -= ray.origin.extend(0.0);
@@ -95,7 +95,7 @@ impl Segment {
             if value(&chord, 0.5 * (low + high)) > 0.0 {
                 let turns = roots_between::<11>(&turning, low, high);
                 let places = turns.as_slice().iter().copied().chain([low, high]);
-                let mut all: Option<Stretch> = None;
+                let mut all: Option<Stretch<Crossing>> = None;
                 for u in places {
                     let half = value(&chord, u).max(0.0).sqrt();
                     let at = |t: f64| Crossing { t, part, at: [u, 0.0] };
@@ -138,7 +138,7 @@ impl SphereSweep {
     }
 
     /// The stretches inside, in order and apart from each other.
-    fn stretches(&self, ray: &Ray) -> Vec<Stretch> {
+    fn stretches(&self, ray: &Ray) -> Vec<Stretch<Crossing>> {
         let speed = ray.direction.length();
         let (shift, near) = ray.moved_to(self.bounds.center());
         let near = Ray::new(near.origin, near.direction / speed);
@@ -147,7 +147,7 @@ impl SphereSweep {
             segment.meet(&near, part, &mut all);
         }
         all.sort_by(|a, b| a.enter.t.total_cmp(&b.enter.t));
-        let mut merged: Vec<Stretch> = Vec::new();
+        let mut merged: Vec<Stretch<Crossing>> = Vec::new();
         for next in all {
             match merged.last_mut().filter(|last| next.enter.t <= last.leave.t) {
                 Some(last) if next.leave.t > last.leave.t => last.leave = next.leave,

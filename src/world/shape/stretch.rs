@@ -5,26 +5,40 @@ use crate::world::Range;
 
 /// Where a line enters a convex solid and where it leaves, with `enter.t <= leave.t`.
 #[derive(Clone, Copy, Debug)]
-pub struct Stretch {
+pub struct Stretch<E = End> {
     /// The first point.
-    pub enter: Crossing,
+    pub enter: E,
     /// The last point.
-    pub leave: Crossing,
+    pub leave: E,
+}
+
+/// A crossing whose place on the part needs no saying.
+#[derive(Clone, Copy, Debug)]
+pub struct End {
+    /// Distance along the ray.
+    pub t: f64,
+    /// Which part of the surface it is on.
+    pub part: u32,
+}
+
+impl From<End> for Crossing {
+    #[inline]
+    fn from(end: End) -> Self {
+        Self::new(end.t, end.part)
+    }
 }
 
 impl Stretch {
     /// The whole line.
-    pub const LINE: Self = Self {
-        enter: Crossing { t: f64::NEG_INFINITY, part: 0, at: [0.0; 2] },
-        leave: Crossing { t: f64::INFINITY, part: 0, at: [0.0; 2] },
-    };
+    pub const LINE: Self =
+        Self { enter: End { t: f64::NEG_INFINITY, part: 0 }, leave: End { t: f64::INFINITY, part: 0 } };
 
     /// From `enter` on `enter_part` to `leave` on `leave_part`; `None` unless they are in that order.
     #[inline]
     pub fn new(enter: f64, enter_part: u32, leave: f64, leave_part: u32) -> Option<Self> {
-        (enter <= leave).then(|| Self {
-            enter: Crossing::new(enter, enter_part),
-            leave: Crossing::new(leave, leave_part),
+        (enter <= leave).then_some(Self {
+            enter: End { t: enter, part: enter_part },
+            leave: End { t: leave, part: leave_part },
         })
     }
 
@@ -63,22 +77,26 @@ impl Stretch {
         self.leave.t += shift;
         self
     }
+}
 
+impl<E: Into<Crossing> + Copy> Stretch<E> {
     /// The nearer end in `range`.
     #[inline]
     pub fn nearest(self, range: Range) -> Option<Crossing> {
-        [self.enter, self.leave].into_iter().find(|end| range.contains(end.t))
+        [self.enter, self.leave].into_iter().map(E::into).find(|end: &Crossing| range.contains(end.t))
     }
 
-    /// Adds the ends in `range`; one that touches the solid in a point of one part counts once.
+    /// The ends in `range`; one that touches the solid in a point of one part counts once.
+    #[inline]
+    pub fn ends(self, range: Range) -> [Option<Crossing>; 2] {
+        let (enter, leave): (Crossing, Crossing) = (self.enter.into(), self.leave.into());
+        let two = (enter.t, enter.part) != (leave.t, leave.part);
+        [range.contains(enter.t).then_some(enter), (two && range.contains(leave.t)).then_some(leave)]
+    }
+
+    /// Adds the [`ends`](Self::ends) in `range`.
     #[inline]
     pub fn push(self, range: Range, out: &mut Vec<Crossing>) {
-        if range.contains(self.enter.t) {
-            out.push(self.enter);
-        }
-        if range.contains(self.leave.t) && (self.enter.t, self.enter.part) != (self.leave.t, self.leave.part)
-        {
-            out.push(self.leave);
-        }
+        out.extend(self.ends(range).into_iter().flatten());
     }
 }
