@@ -13,6 +13,8 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use rustc_hash::FxHasher;
+
 use crate::options::{LanguageOptions, Region, RenderOptions};
 use crate::render::Sample;
 use crate::source::Sources;
@@ -111,8 +113,9 @@ impl State {
 
     /// Adds a finished block; what doesn't fit on the disk is rendered again another time.
     pub(super) fn add(&self, block: &Region, pixels: &[Sample]) {
-        let mut record: Vec<u8> = place(block).iter().flat_map(|edge| edge.to_le_bytes()).collect();
-        record.extend(pixels.iter().flatten().flat_map(|channel| channel.to_le_bytes()));
+        let mut record = Vec::with_capacity(PLACE + pixels.len() * PIXEL + CHECKSUM);
+        place(block).iter().for_each(|edge| record.extend_from_slice(&edge.to_le_bytes()));
+        pixels.iter().flatten().for_each(|channel| record.extend_from_slice(&channel.to_le_bytes()));
         record.extend(checksum(&record).to_le_bytes());
         let mut inner = self.lock();
         if inner.file.as_mut().is_some_and(|file| file.write_all(&record).is_err()) {
@@ -178,7 +181,7 @@ fn numbers(bytes: &[u8]) -> Option<[u32; 4]> {
 }
 
 fn checksum(bytes: &[u8]) -> u64 {
-    let mut hasher = DefaultHasher::new();
+    let mut hasher = FxHasher::default();
     hasher.write(bytes);
     hasher.finish()
 }

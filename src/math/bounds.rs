@@ -30,42 +30,50 @@ impl Bounds {
     }
 
     /// The smallest box around both.
+    #[inline]
     pub fn union(self, other: Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
     /// What both share.
+    #[inline]
     pub fn intersection(self, other: Self) -> Self {
         Self { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
     /// Whether no point is inside.
+    #[inline]
     pub fn is_empty(self) -> bool {
         !self.min.cmple(self.max).all()
     }
 
     /// Whether the box is not empty and ends on every side.
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.min.is_finite() && self.max.is_finite() && !self.is_empty()
     }
 
     /// The middle; not finite where the box is not.
+    #[inline]
     pub fn center(self) -> DVec3 {
         self.min * 0.5 + self.max * 0.5
     }
 
     /// Edge lengths.
+    #[inline]
     pub fn size(self) -> DVec3 {
         self.max - self.min
     }
 
     /// Half the surface area, the measure of the surface area heuristic.
+    #[inline]
     pub fn half_area(self) -> f64 {
         let s = self.size();
         s.x * s.y + s.y * s.z + s.z * s.x
     }
 
     /// Whether `p` is inside or on the border.
+    #[inline]
     pub fn contains(self, p: DVec3) -> bool {
         p.cmpge(self.min).all() && p.cmple(self.max).all()
     }

@@ -35,11 +35,13 @@ impl Rgbft {
     }
 
     /// What the surface keeps for itself, `1 - filter - transmit` (docs/spec/shading.md 1).
+    #[inline]
     pub fn opacity(self) -> f32 {
         1.0 - self.filter - self.transmit
     }
 
     /// The factor for light passing through, `rgb * filter + transmit` (docs/spec/shading.md 1).
+    #[inline]
     pub fn through(self) -> Rgb {
         self.rgb * self.filter + Rgb::splat(self.transmit)
     }
@@ -58,6 +60,7 @@ impl Rgbft {
 
 /// POV-Ray's grey: `0.297 r + 0.589 g + 0.114 b` (docs/spec/shading.md 1), rounded once: greys stay
 /// what they are.
+#[inline]
 pub fn grey(color: Rgb) -> f32 {
     let [r, g, b] = color.to_array().map(f64::from);
     (0.297 * r + 0.589 * g + 0.114 * b) as f32

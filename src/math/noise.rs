@@ -185,9 +185,11 @@ pub fn hash(index: i32) -> i32 {
 }
 
 /// Hash of a cell's three integer coordinates, 0 … 4095 (docs/spec/patterns-textures.md 1.2).
+#[inline]
 pub fn cell_hash(cell: [i32; 3]) -> usize {
+    let table: &[u16; HASH_SIZE] = &HASH;
     let low = |c: i32| (c & 4095) as usize;
-    let hashed = |index: usize| usize::from(HASH[index & (HASH_SIZE - 1)]);
+    let hashed = |index: usize| usize::from(table[index & (HASH_SIZE - 1)]);
     hashed(hashed(hashed(low(cell[0])) ^ low(cell[1])) ^ low(cell[2]))
 }
 
@@ -202,9 +204,11 @@ pub fn uniform(index: usize) -> f64 {
 }
 
 /// Three consecutive numbers of the fixed table for a cell.
+#[inline]
 pub fn cell_point(cell: [i32; 3]) -> DVec3 {
+    let table: &[f64] = &UNIFORM;
     let h = cell_hash(cell);
-    DVec3::new(uniform(h), uniform(h + 1), uniform(h + 2))
+    DVec3::from_slice(&table[h..h + 3])
 }
 
 /// A centre of concentric waves.

@@ -100,7 +100,7 @@ impl Reader<'_> {
                 return offset + span.start();
             }
             match rule {
-                Rule::block_comment | Rule::line_text | Rule::block_text | Rule::EOI => {}
+                Rule::block_rest | Rule::line_text | Rule::block_text | Rule::EOI => {}
                 _ => self.token(rule, span.as_str(), offset + span.start()),
             }
             if self.depth >= DEEPEST {
@@ -149,7 +149,7 @@ impl Reader<'_> {
                 None => return,
             },
             Rule::hash => NodeKind::Punct(Punct::Hash),
-            Rule::punct => match Punct::from_text(text) {
+            Rule::punct | Rule::mark => match Punct::from_text(text) {
                 Some(punct) => {
                     self.depth += match punct {
                         Punct::OpenBrace | Punct::OpenBracket | Punct::OpenParen => 1,

@@ -33,6 +33,7 @@ pub struct Hit {
 }
 
 impl Hit {
+    #[inline]
     fn new(found: Found, object: u32) -> Self {
         Self { t: found.t(), crossing: found.crossing, leaf: found.leaf, object }
     }
@@ -66,6 +67,7 @@ impl Geometry {
     }
 
     /// The parts by number.
+    #[inline]
     pub fn parts(&self) -> &Parts {
         &self.parts
     }
@@ -171,6 +173,7 @@ impl Geometry {
     }
 
     /// The nearest first, coincident ones once.
+    #[inline]
     fn sort_occluders(&self, ray: &Ray, through: &mut Vec<Hit>) {
         if through.len() > 1 {
             through.sort_unstable_by(|a, b| {

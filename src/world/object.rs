@@ -92,11 +92,13 @@ impl Leaf {
     }
 
     /// The point in the primitive's space.
+    #[inline]
     pub fn inner_point(&self, point: DVec3) -> DVec3 {
         self.transform.as_ref().map_or(point, |transform| transform.inverse_point(point))
     }
 
     /// A normal of the primitive in the world: outward, unit.
+    #[inline]
     pub(super) fn outer_normal(&self, normal: DVec3) -> DVec3 {
         let normal = self.transform.as_ref().map_or(normal, |transform| transform.normal(normal));
         let normal = normal.normalize_or_zero();
@@ -117,6 +119,7 @@ impl Leaf {
     }
 
     /// Whether `point` is inside, but for clips.
+    #[inline]
     pub(super) fn contains(&self, point: DVec3) -> bool {
         let point = self.inner_point(point);
         self.flags.contains(LeafFlags::SOLID)

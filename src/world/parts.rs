@@ -78,6 +78,7 @@ impl Group {
 
 impl Operation {
     /// The answer to "inside?" with which one member decides for the whole.
+    #[inline]
     pub(super) fn decisive(self) -> bool {
         self != Self::Intersection
     }
@@ -109,16 +110,19 @@ pub struct Parts {
 
 impl Parts {
     /// A leaf by number.
+    #[inline]
     pub fn leaf(&self, number: u32) -> &Leaf {
         &self.leaves[number as usize]
     }
 
     /// A compound by number.
+    #[inline]
     pub fn group(&self, number: u32) -> &Group {
         &self.groups[number as usize]
     }
 
     /// Where a member's inside and surface may be.
+    #[inline]
     pub fn extent(&self, member: Member) -> &Extent {
         match member {
             Member::Leaf(number) => &self.leaf(number).extent,
@@ -126,6 +130,7 @@ impl Parts {
         }
     }
 
+    #[inline]
     pub(super) fn limits(&self, member: Member) -> Option<&Limits> {
         match member {
             Member::Leaf(number) => self.leaf(number).limits.as_deref(),

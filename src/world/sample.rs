@@ -27,6 +27,7 @@ pub struct Sample<'a> {
 
 impl Sample<'_> {
     /// A point without a surface.
+    #[inline]
     pub fn at(point: DVec3) -> Self {
         Self {
             point,
@@ -40,11 +41,13 @@ impl Sample<'_> {
     }
 
     /// A hit: world point, raw unit normal facing the ray, unit direction of the ray, texture coordinates.
+    #[inline]
     pub fn on_surface(position: DVec3, normal: DVec3, direction: DVec3, uv: DVec2) -> Self {
         Self { position, normal, bent: normal, direction, uv, ..Self::at(position) }
     }
 
     /// The same place seen from elsewhere.
+    #[inline]
     pub fn moved(&self, point: DVec3) -> Self {
         Self { point, ..*self }
     }

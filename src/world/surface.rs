@@ -30,6 +30,7 @@ impl Intersection {
     }
 
     /// Where a ray in `direction` starts that leaves the surface here.
+    #[inline]
     pub fn leave(&self, direction: DVec3) -> DVec3 {
         let outward = if direction.dot(self.geometric) < 0.0 { -self.geometric } else { self.geometric };
         self.point + self.error * outward
@@ -87,6 +88,7 @@ impl Geometry {
     }
 }
 
+#[inline]
 fn size(bounds: Bounds) -> f64 {
     if bounds.is_finite() { bounds.size().max_element() } else { 0.0 }
 }

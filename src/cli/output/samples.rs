@@ -44,8 +44,10 @@ impl Samples {
         let steps = (many && ditherer.is_none()).then(|| Steps::new(curve, bits));
         if let (Some(steps), Format::Png | Format::Ppm, 3) = (&steps, encoding.format, channels) {
             // The most common picture of all.
-            let values =
-                image.pixels.iter().flat_map(|&[r, g, b, _]| [r, g, b].map(|value| steps.round(value)));
+            let values = image
+                .pixels
+                .iter()
+                .flat_map(|&[r, g, b, _]| [steps.round(r), steps.round(g), steps.round(b)]);
             return Self {
                 width: image.width,
                 height: image.height,

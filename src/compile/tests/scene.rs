@@ -229,7 +229,7 @@ fn shadow_rays_collect_transparent_surfaces_in_order_and_coincident_ones_once() 
 }
 
 #[test]
-fn linear_search_and_tree_give_bit_identical_hits() {
+fn linear_search_and_trees_give_bit_identical_hits() {
     let mut numbers = Numbers(11);
     let mut random = || {
         let at =
@@ -245,20 +245,22 @@ fn linear_search_and_tree_give_bit_identical_hits() {
     let mut objects: Vec<_> = (0..200).map(|_| random()).collect();
     objects.extend(objects[..20].to_vec());
     objects.push(plane(DVec3::Y, -3.));
-    let [linear, tree] = [Accelerator::Linear, Accelerator::Bvh]
-        .map(|accelerator| Geometry::new(flat(&objects, accelerator).parts, accelerator));
+    let of = |accelerator| Geometry::new(flat(&objects, accelerator).parts, accelerator);
+    let (linear, trees) = (of(Accelerator::Linear), [Accelerator::Octree, Accelerator::Bvh].map(of));
     let mut hits = 0;
     let (mut through, mut other) = (Vec::new(), Vec::new());
     for _ in 0..3000 {
         let ray = Ray::new(5. * numbers.vector(), numbers.vector().normalize());
         let found = linear.hit(&ray, Range::AHEAD, RayKind::IMAGE);
-        assert_eq!(found, tree.hit(&ray, Range::AHEAD, RayKind::IMAGE));
-        assert_eq!(
-            linear.occluders(&ray, Range::AHEAD, &mut through),
-            tree.occluders(&ray, Range::AHEAD, &mut other)
-        );
-        assert_eq!(through, other);
-        assert_eq!(linear.containers(ray.origin), tree.containers(ray.origin));
+        for tree in &trees {
+            assert_eq!(found, tree.hit(&ray, Range::AHEAD, RayKind::IMAGE));
+            assert_eq!(
+                linear.occluders(&ray, Range::AHEAD, &mut through).is_some(),
+                tree.occluders(&ray, Range::AHEAD, &mut other).is_some()
+            );
+            assert_eq!(through, other);
+            assert_eq!(linear.containers(ray.origin), tree.containers(ray.origin));
+        }
         hits += usize::from(found.is_some());
     }
     assert!(hits > 1000, "{hits} hits");

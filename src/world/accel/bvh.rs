@@ -130,13 +130,23 @@ impl Bvh {
     /// See [`Accel::along`](super::Accel::along).
     #[inline(always)]
     pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> f64) {
-        self.search(ray, range, |leaf| visit(leaf & !LEAF));
+        self.search(
+            ray,
+            range,
+            #[inline(always)]
+            |leaf| visit(leaf & !LEAF),
+        );
     }
 
     /// As [`Bvh::along`], for runs of items.
     #[inline(always)]
     pub fn runs_along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Span<usize>) -> f64) {
-        self.search(ray, range, |leaf| visit(run(leaf)));
+        self.search(
+            ray,
+            range,
+            #[inline(always)]
+            |leaf| visit(run(leaf)),
+        );
     }
 
     #[inline(always)]
@@ -171,7 +181,10 @@ impl Bvh {
                     let lane = (met.trailing_zeros() as usize) % WIDTH;
                     let some = met != 0;
                     met &= met.wrapping_sub(1);
-                    some.then(|| Waiting::new(near[lane / 4][lane % 4], node.children[lane]))
+                    some.then(
+                        #[inline(always)]
+                        || Waiting::new(near[lane], node.children[lane]),
+                    )
                 };
                 if let Some(first) = take() {
                     next = first;
@@ -309,50 +322,55 @@ fn mask(pass: impl Fn(usize) -> BVec4A) -> u32 {
 struct Probe {
     /// The origin, moved so far that rounding can't turn a hit into a miss: once for planes that
     /// bound the near end of the overlap, once for those that bound the far end.
-    near: [Vec4; 3],
-    far: [Vec4; 3],
-    inverse: [Vec4; 3],
-    /// Which of a node's faces are met first along each axis, and which last.
-    first: [usize; 3],
-    last: [usize; 3],
+    near: [f32; 3],
+    far: [f32; 3],
+    inverse: [f32; 3],
+    /// Whether a node's high faces are met first along each axis.
+    backward: [bool; 3],
 }
 
 impl Probe {
     #[inline(always)]
     fn new(origin: DVec3, direction: DVec3, blur: f32) -> Self {
-        let inverse = direction.to_array().map(|d| {
-            let d = d as f32;
-            if d.abs() < LEAST_DIRECTION { LEAST_DIRECTION.copysign(d) } else { d }.recip()
-        });
-        let moved = |toward: f32| {
-            std::array::from_fn(|axis| {
-                let o = origin[axis] as f32;
-                Vec4::splat(o + (o.abs() * SLACK + blur) * toward.copysign(toward * inverse[axis]))
-            })
-        };
-        let backward = inverse.map(|i| usize::from(i < 0.0));
-        Self {
-            near: moved(1.0),
-            far: moved(-1.0),
-            inverse: inverse.map(Vec4::splat),
-            first: std::array::from_fn(|axis| axis + 3 * backward[axis]),
-            last: std::array::from_fn(|axis| axis + 3 - 3 * backward[axis]),
+        let (origin, direction) = (origin.as_vec3().to_array(), direction.as_vec3().to_array());
+        let mut probe = Self { near: origin, far: origin, inverse: direction, backward: [false; 3] };
+        // Loops throughout: closures given to arrays' methods are not compiled for wide registers.
+        for axis in 0..3 {
+            let (o, d) = (origin[axis], direction[axis]);
+            let inverse = if d.abs() < LEAST_DIRECTION { LEAST_DIRECTION.copysign(d) } else { d }.recip();
+            let room = (o.abs() * SLACK + blur).copysign(inverse);
+            probe.near[axis] = o + room;
+            probe.far[axis] = o - room;
+            probe.inverse[axis] = inverse;
+            probe.backward[axis] = inverse < 0.0;
         }
+        probe
     }
 
     /// Entry distances, none negative, and the bits of the boxes met before `far`.
     #[inline(always)]
-    fn test(&self, node: &Node, far: f32) -> (Lanes, u32) {
+    fn test(&self, node: &Node, far: f32) -> ([f32; WIDTH], u32) {
         let (mut entry, mut exit) = ([Vec4::ZERO; 2], [Vec4::splat(far); 2]);
         for axis in 0..3 {
-            let (first, last) = (&node.faces[self.first[axis] % 6], &node.faces[self.last[axis] % 6]);
+            let (low, high) = (&node.faces[axis], &node.faces[axis + 3]);
+            let (first, last) = if self.backward[axis] { (high, low) } else { (low, high) };
+            let (start, end) = (Vec4::splat(self.near[axis]), Vec4::splat(self.far[axis]));
+            let inverse = Vec4::splat(self.inverse[axis]);
             for half in 0..2 {
-                entry[half] = entry[half].max((first[half] - self.near[axis]) * self.inverse[axis]);
-                exit[half] = exit[half].min((last[half] - self.far[axis]) * self.inverse[axis]);
+                entry[half] = entry[half].max((first[half] - start) * inverse);
+                exit[half] = exit[half].min((last[half] - end) * inverse);
             }
         }
-        let entry = entry.map(|t| t * (1.0 - SLACK));
-        (entry, mask(|half| entry[half].cmple(exit[half] * (1.0 + SLACK))))
+        let mut distances = [0.0; WIDTH];
+        let mut met = 0;
+        for half in 0..2 {
+            let entry = entry[half] * (1.0 - SLACK);
+            met |= entry.cmple(exit[half] * (1.0 + SLACK)).bitmask() << (4 * half);
+            for (lane, distance) in entry.to_array().into_iter().enumerate() {
+                distances[4 * half + lane] = distance;
+            }
+        }
+        (distances, met)
     }
 }
 

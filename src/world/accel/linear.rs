@@ -59,7 +59,9 @@ impl Slabs {
     #[inline(always)]
     pub fn new(ray: &Ray) -> Self {
         let inverse = ray.direction.recip();
-        Self { origin: ray.origin, inverse, backward: inverse.to_array().map(f64::is_sign_negative) }
+        let backward =
+            [inverse.x.is_sign_negative(), inverse.y.is_sign_negative(), inverse.z.is_sign_negative()];
+        Self { origin: ray.origin, inverse, backward }
     }
 
     /// Whether the box and the part of the ray in `range` share a point, or nearly so.
@@ -71,14 +73,27 @@ impl Slabs {
     /// Where the ray enters a box that it meets in `range`; behind its origin if it starts inside.
     #[inline(always)]
     pub fn entry(&self, bounds: &Bounds, range: Range) -> Option<f64> {
+        self.overlap_in(bounds, range).map(|(entry, _)| entry)
+    }
+
+    /// Where the line enters a box that the ray meets in `range` and where it leaves.
+    #[inline(always)]
+    pub fn overlap_in(&self, bounds: &Bounds, range: Range) -> Option<(f64, f64)> {
         let (entry, exit) = self.overlap(bounds);
-        let (near, far) = (entry.max(range.min), exit.min(range.max));
-        (near - near.abs() * SLACK <= far + far.abs() * SLACK).then_some(entry)
+        let near = if entry > range.min { entry } else { range.min };
+        let far = if exit < range.max { exit } else { range.max };
+        Self::in_reach(near, far).then_some((entry, exit))
+    }
+
+    /// Whether what begins at `entry` begins before `end`, or as good as there.
+    #[inline(always)]
+    pub(super) fn in_reach(entry: f64, end: f64) -> bool {
+        entry - entry.abs() * SLACK <= end + end.abs() * SLACK
     }
 
     /// Where the line enters the box and where it leaves; the wrong way round for a miss.
     #[inline(always)]
-    pub fn overlap(&self, bounds: &Bounds) -> (f64, f64) {
+    fn overlap(&self, bounds: &Bounds) -> (f64, f64) {
         let (origin, inverse) = (self.origin.to_array(), self.inverse.to_array());
         let (low, high) = (bounds.min.to_array(), bounds.max.to_array());
         let (mut entry, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);

@@ -7,12 +7,14 @@ mod build;
 mod bvh;
 mod hull;
 mod linear;
+mod octree;
 #[cfg(test)]
 mod tests;
 
 pub use bvh::Bvh;
 pub use hull::{Hull, Points};
 pub use linear::{Linear, Slabs};
+pub use octree::Octree;
 
 use super::ray::{Range, Ray};
 use crate::math::{Bounds, DVec3};
@@ -26,6 +28,8 @@ const FEW: usize = 6;
 pub enum Accel {
     /// Asks one after the other.
     Linear(Linear),
+    /// Cells of space.
+    Octree(Octree),
     /// A tree of boxes.
     Bvh(Bvh),
 }
@@ -35,12 +39,12 @@ impl Accel {
     /// them apart where they are few among many.
     pub fn new(items: Vec<(Bounds, u32)>, kind: Accelerator) -> Self {
         let bounded = items.iter().all(|(bounds, _)| bounds.is_finite());
-        let tree = match kind {
-            Accelerator::Linear => false,
-            Accelerator::Auto => items.len() > FEW,
-            Accelerator::Octree | Accelerator::Bvh => !items.is_empty(),
-        };
-        if tree && bounded { Self::Bvh(Bvh::new(items)) } else { Self::Linear(Linear::new(items)) }
+        match kind {
+            Accelerator::Auto if bounded && items.len() > FEW => Self::Bvh(Bvh::new(items)),
+            Accelerator::Bvh if bounded && !items.is_empty() => Self::Bvh(Bvh::new(items)),
+            Accelerator::Octree if bounded && !items.is_empty() => Self::Octree(Octree::new(items)),
+            _ => Self::Linear(Linear::new(items)),
+        }
     }
 
     /// Calls `visit` with the items whose boxes meet the ray in `range`, roughly the nearest first.
@@ -49,6 +53,7 @@ impl Accel {
     pub fn along(&self, ray: &Ray, range: Range, visit: impl FnMut(u32) -> f64) {
         match self {
             Self::Linear(linear) => linear.along(ray, range, visit),
+            Self::Octree(octree) => octree.along(ray, range, visit),
             Self::Bvh(bvh) => bvh.along(ray, range, visit),
         }
     }
@@ -57,6 +62,7 @@ impl Accel {
     pub fn any_touching(&self, hull: &Hull, test: impl FnMut(u32) -> bool) -> bool {
         match self {
             Self::Linear(linear) => linear.any_touching(hull, test),
+            Self::Octree(octree) => octree.any_touching(hull, test),
             Self::Bvh(bvh) => bvh.any_touching(hull, test),
         }
     }
@@ -66,6 +72,7 @@ impl Accel {
     pub fn any_around(&self, point: DVec3, test: impl FnMut(u32) -> bool) -> bool {
         match self {
             Self::Linear(linear) => linear.any_around(point, test),
+            Self::Octree(octree) => octree.any_around(point, test),
             Self::Bvh(bvh) => bvh.any_around(point, test),
         }
     }

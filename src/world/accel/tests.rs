@@ -61,7 +61,7 @@ fn every_kind_finds_the_same_nearest_box_at_every_scale_and_place() {
     ] {
         let boxes = boxes(&mut numbers, 300, size, at);
         let linear = Accel::new(boxes.clone(), Accelerator::Linear);
-        let bvh = Accel::new(boxes.clone(), Accelerator::Bvh);
+        let trees = [Accelerator::Bvh, Accelerator::Octree].map(|kind| Accel::new(boxes.clone(), kind));
         let mut met = 0;
         for turn in 0..2000 {
             let mut direction = numbers.vector();
@@ -71,8 +71,10 @@ fn every_kind_finds_the_same_nearest_box_at_every_scale_and_place() {
             let far = if turn % 10 == 0 { 1e6 } else { 1.5 };
             let target = at + size * numbers.vector();
             let ray = Ray::new(target - far * size * direction, direction.normalize());
-            let found = nearest(&bvh, &boxes, &ray);
-            assert_eq!(found, nearest(&linear, &boxes, &ray), "size {size}, turn {turn}");
+            let found = nearest(&linear, &boxes, &ray);
+            for tree in &trees {
+                assert_eq!(nearest(tree, &boxes, &ray), found, "size {size}, turn {turn}");
+            }
             met += usize::from(found.is_some());
         }
         assert!(met > 1000, "size {size}: the rays met {met} boxes");
@@ -84,16 +86,20 @@ fn rays_in_the_plane_of_a_face_and_through_corners_find_the_box() {
     let boxes: Vec<_> = (0..8)
         .map(|i| (Bounds::new(DVec3::X * f64::from(i), DVec3::new(f64::from(i) + 1.0, 1.0, 1.0)), i))
         .collect();
-    let bvh = Accel::new(boxes.clone(), Accelerator::Bvh);
-    for (origin, direction) in [
-        (DVec3::new(3.0, 0.0, -5.0), DVec3::Z),
-        (DVec3::new(3.0, 1.0, -5.0), DVec3::Z),
-        (DVec3::new(-1.0, -1.0, -1.0), DVec3::ONE.normalize()),
-        (DVec3::new(3.0, 0.5, 0.5), DVec3::X),
-    ] {
+    let kinds = [Accelerator::Bvh, Accelerator::Octree];
+    for (kind, (origin, direction)) in kinds.into_iter().flat_map(|kind| {
+        [
+            (DVec3::new(3.0, 0.0, -5.0), DVec3::Z),
+            (DVec3::new(3.0, 1.0, -5.0), DVec3::Z),
+            (DVec3::new(-1.0, -1.0, -1.0), DVec3::ONE.normalize()),
+            (DVec3::new(3.0, 0.5, 0.5), DVec3::X),
+        ]
+        .map(|ray| (kind, ray))
+    }) {
+        let tree = Accel::new(boxes.clone(), kind);
         let ray = Ray::new(origin, direction);
         let mut items = Vec::new();
-        bvh.along(&ray, Range::AHEAD, |item| {
+        tree.along(&ray, Range::AHEAD, |item| {
             items.push(item);
             f64::INFINITY
         });
@@ -105,7 +111,7 @@ fn rays_in_the_plane_of_a_face_and_through_corners_find_the_box() {
             .collect();
         assert!(
             !expected.is_empty() && expected.iter().all(|item| items.contains(item)),
-            "{ray:?}: {items:?}"
+            "{kind:?}, {ray:?}: {items:?}"
         );
     }
 }
@@ -115,13 +121,13 @@ fn every_kind_finds_the_same_boxes_around_a_point() {
     let mut numbers = Numbers(2);
     for (size, at) in [(1.0, DVec3::ZERO), (1e-6, DVec3::splat(100.0)), (1e8, DVec3::ZERO)] {
         let boxes = boxes(&mut numbers, 400, size, at);
-        let bvh = Accel::new(boxes.clone(), Accelerator::Bvh);
-        for turn in 0..500 {
+        let trees = [Accelerator::Bvh, Accelerator::Octree].map(|kind| Accel::new(boxes.clone(), kind));
+        for (turn, tree) in (0..500).flat_map(|turn| trees.iter().map(move |tree| (turn, tree))) {
             // Corners are the hardest points.
             let corner = boxes[turn % 400].0.max;
             let point = if turn % 2 == 0 { at + size * numbers.vector() } else { corner };
             let mut found = Vec::new();
-            bvh.any_around(point, |item| {
+            tree.any_around(point, |item| {
                 found.push(item);
                 false
             });
@@ -139,13 +145,15 @@ fn equal_boxes_and_single_boxes_make_sound_trees() {
     let cube = Bounds::new(-DVec3::ONE, DVec3::ONE);
     let point = Bounds::new(DVec3::ONE, DVec3::ONE);
     for boxes in [vec![(cube, 7)], (0..1000).map(|i| (cube, i)).collect(), vec![(point, 0); 3]] {
-        let bvh = Accel::new(boxes.clone(), Accelerator::Bvh);
-        let mut count = 0;
-        bvh.along(&Ray::new(DVec3::new(1.0, 1.0, -9.0), DVec3::Z), Range::AHEAD, |_| {
-            count += 1;
-            f64::INFINITY
-        });
-        assert_eq!(count, boxes.len());
+        for kind in [Accelerator::Bvh, Accelerator::Octree] {
+            let tree = Accel::new(boxes.clone(), kind);
+            let mut count = 0;
+            tree.along(&Ray::new(DVec3::new(1.0, 1.0, -9.0), DVec3::Z), Range::AHEAD, |_| {
+                count += 1;
+                f64::INFINITY
+            });
+            assert_eq!(count, boxes.len(), "{kind:?}");
+        }
     }
 }
 
@@ -154,20 +162,22 @@ fn a_near_hit_ends_the_search() {
     let boxes: Vec<_> = (0..1000)
         .map(|i| (Bounds::new(DVec3::splat(f64::from(i)), DVec3::splat(f64::from(i) + 0.5)), i))
         .collect();
-    let bvh = Accel::new(boxes, Accelerator::Bvh);
-    let mut asked = Vec::new();
-    bvh.along(&Ray::new(DVec3::splat(-1.0), DVec3::ONE.normalize()), Range::AHEAD, |item| {
-        asked.push(item);
-        2.0
-    });
-    assert_eq!(asked, [0]);
+    for kind in [Accelerator::Bvh, Accelerator::Octree] {
+        let tree = Accel::new(boxes.clone(), kind);
+        let mut asked = Vec::new();
+        tree.along(&Ray::new(DVec3::splat(-1.0), DVec3::ONE.normalize()), Range::AHEAD, |item| {
+            asked.push(item);
+            2.0
+        });
+        assert_eq!(asked, [0], "{kind:?}");
+    }
 }
 
 #[test]
 fn negative_infinity_ends_the_search_at_once() {
     let mut numbers = Numbers(9);
     let boxes = boxes(&mut numbers, 60, 1.0, DVec3::ZERO);
-    for kind in [Accelerator::Linear, Accelerator::Bvh] {
+    for kind in [Accelerator::Linear, Accelerator::Octree, Accelerator::Bvh] {
         let accel = Accel::new(boxes.clone(), kind);
         for _ in 0..50 {
             let ray = Ray::new(DVec3::Z * -4.0, (numbers.vector() + DVec3::Z * 4.0).normalize());

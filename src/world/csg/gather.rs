@@ -15,17 +15,17 @@ struct Way<'a> {
     slabs: &'a Slabs,
     range: Range,
     kind: RayKind,
+    /// How far coincident faces may be apart, for each unit of the coordinates there.
+    room: f64,
     parent: Option<u32>,
 }
 
 impl Way<'_> {
     /// Leaves of the range what is between two distances, and a little more on both sides: coincident
     /// faces take part in the decision about each other.
+    #[inline]
     fn narrowed(mut self, enter: f64, leave: f64) -> Self {
-        let room = |t: f64| {
-            let scale = self.ray.origin.abs().max(self.ray.at(t).abs()).max_element();
-            4.0 * COARSE * scale / self.ray.direction.length()
-        };
+        let room = |t: f64| self.room * self.ray.origin.abs().max(self.ray.at(t).abs()).max_element();
         if enter.is_finite() {
             self.range.min = self.range.min.max(enter - room(enter));
         }
@@ -48,15 +48,20 @@ impl Parts {
         decide: impl FnOnce(&Scratch) -> R,
     ) -> Option<R> {
         let slabs = Slabs::new(ray);
-        if !slabs.meet(&self.extent(member).bounds, range) {
-            return None;
-        }
+        let extent = self.extent(member);
+        let (enter, leave) = slabs.overlap_in(&extent.bounds, range)?;
         // Coincident faces just beyond the end take part in the decision about those before it.
         let beyond = Range { min: range.min, max: range.max + range.max.abs() * COARSE };
-        let way = Way { ray, slabs: &slabs, range: beyond, kind, parent: None };
+        let length = ray.direction.length();
+        let room = 4.0 * COARSE / length;
+        let mut way = Way { ray, slabs: &slabs, range: beyond, kind, room, parent: None };
+        if !extent.beyond {
+            way = way.narrowed(enter, leave);
+        }
         Some(Scratch::lend(|scratch| {
             scratch.found.clear();
             scratch.near.clear();
+            scratch.length = length;
             self.gather(member, way, scratch);
             if scratch.found.len() > 1 {
                 scratch.found.sort_unstable_by(|a, b| a.t().total_cmp(&b.t()).then(b.leaf.cmp(&a.leaf)));
@@ -133,10 +138,11 @@ impl Parts {
     }
 
     fn gather_group(&self, group: &Group, place: usize, way: Way, scratch: &mut Scratch) -> Inside {
+        let nested = way.parent.is_some();
         let mut way = Way { parent: Some(place as u32), ..way };
         let first_found = scratch.found.len();
         let decided = group.operation == Operation::Intersection
-            && match self.core(group, way, scratch) {
+            && match self.core(group, nested, way, scratch) {
                 Some(narrowed) => {
                     way = narrowed;
                     false
@@ -163,14 +169,16 @@ impl Parts {
 
     /// Narrows the range to where all of an intersection's bounded members may be, and gathers the one
     /// that tells best. `None` where there is no such place.
-    fn core<'a>(&self, group: &Group, way: Way<'a>, scratch: &mut Scratch) -> Option<Way<'a>> {
-        let mut way = way;
-        let bounds = &group.extent.bounds;
-        if !group.extent.beyond && bounds.is_finite() {
-            if !way.slabs.meet(bounds, way.range) {
-                return None;
-            }
-            let (enter, leave) = way.slabs.overlap(bounds);
+    fn core<'a>(
+        &self,
+        group: &Group,
+        nested: bool,
+        mut way: Way<'a>,
+        scratch: &mut Scratch,
+    ) -> Option<Way<'a>> {
+        // The whole object's box has been asked before.
+        if nested && !group.extent.beyond && group.extent.bounds.is_finite() {
+            let (enter, leave) = way.slabs.overlap_in(&group.extent.bounds, way.range)?;
             way = way.narrowed(enter, leave);
         }
         if let Some(core) = group.core {
@@ -223,6 +231,7 @@ impl Parts {
 
 /// How to tell the inside of a leaf from its stretch, if it is convex: the inner `None` for one that
 /// the ray misses.
+#[inline]
 fn inside_leaf(leaf: &Leaf, stretch: Option<Option<(f64, f64)>>) -> Inside {
     if !leaf.flags.contains(LeafFlags::SOLID) {
         return Inside::Surface;

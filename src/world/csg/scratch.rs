@@ -46,6 +46,7 @@ pub(in crate::world) struct Found {
 }
 
 impl Found {
+    #[inline]
     pub(in crate::world) fn t(&self) -> f64 {
         self.crossing.t
     }
@@ -60,6 +61,8 @@ pub(super) struct Scratch {
     pub(super) found: Vec<Found>,
     /// Members of the object at hand that are near the ray.
     pub(super) near: Vec<Near>,
+    /// Length of the ray's direction.
+    pub(super) length: f64,
 }
 
 thread_local! {
@@ -68,6 +71,7 @@ thread_local! {
 
 impl Scratch {
     /// Lends a buffer; calls may nest.
+    #[inline]
     pub(super) fn lend<R>(f: impl FnOnce(&mut Self) -> R) -> R {
         let mut scratch = SPARE.with_borrow_mut(Vec::pop).unwrap_or_default();
         let result = f(&mut scratch);

@@ -21,9 +21,9 @@ pub(super) struct Tree<'a> {
 }
 
 impl<'a> Tree<'a> {
+    #[inline]
     pub(super) fn new(parts: &'a Parts, ray: &'a Ray, scratch: &'a Scratch) -> Self {
-        let length = ray.direction.length();
-        Self { parts, ray, near: &scratch.near, found: &scratch.found, length }
+        Self { parts, ray, near: &scratch.near, found: &scratch.found, length: scratch.length }
     }
 
     /// Whether a crossing is surface of the whole tree it belongs to.
@@ -32,7 +32,7 @@ impl<'a> Tree<'a> {
         let place = Place::new(self, which);
         loop {
             let near = &self.near[member];
-            if near.clipped && !self.clips_spare(near.member, place.t, place.step) {
+            if near.clipped && !self.clips_spare(near.member, place.t, place.step(self)) {
                 return false;
             }
             let Some(parent) = near.parent.map(|parent| parent as usize) else {
@@ -51,11 +51,13 @@ impl<'a> Tree<'a> {
     }
 
     /// Greatest distance within which crossings may be one, as rounding goes.
+    #[inline]
     pub(super) fn coarse(&self, t: f64) -> f64 {
         COARSE * self.scale(t) / self.length
     }
 
     /// The greatest coordinate on the way to a distance.
+    #[inline]
     fn scale(&self, t: f64) -> f64 {
         self.ray.origin.abs().max(self.ray.at(t).abs()).max_element()
     }
@@ -82,11 +84,11 @@ impl<'a> Tree<'a> {
         if self.clips(member).is_empty() {
             return true;
         }
-        let scale = self.ray.origin.abs().max(self.ray.at(t).abs()).max_element();
-        self.clips_spare(member, t, FINE * scale / self.ray.direction.length())
+        self.clips_spare(member, t, FINE * self.scale(t) / self.length)
     }
 
     /// Whether the point at a distance is inside a compound from which one member is taken away.
+    #[inline]
     fn inside_others(&self, compound: usize, without: Option<usize>, t: f64) -> bool {
         let Near { operation, end, .. } = self.near[compound];
         let decisive = operation.is_some_and(Operation::decisive);
@@ -106,6 +108,7 @@ impl<'a> Tree<'a> {
 
     /// Whether the other members of a compound leave this one's surface: for an intersection they
     /// must all contain it, for a merge none may.
+    #[inline]
     fn others_agree(&self, compound: usize, member: usize, place: &Place, wanted: bool) -> bool {
         let others = |t| self.inside_others(compound, Some(member), t) == wanted;
         let Some([before, after]) = place.around else {
@@ -143,8 +146,8 @@ struct Place {
     t: f64,
     /// Distances just before and just after, where another crossing is too close to tell apart.
     around: Option<[f64; 2]>,
-    /// To a point within rounding error.
-    step: f64,
+    /// To a point within rounding error, where it is known that it matters.
+    step: Option<f64>,
 }
 
 impl Place {
@@ -153,13 +156,17 @@ impl Place {
         let t = found[which].t();
         let gap = |other: Option<&Found>| other.map_or(f64::INFINITY, |other| (other.t() - t).abs());
         let nearest = gap(found.get(which + 1)).min(gap(which.checked_sub(1).map(|i| &found[i])));
-        let coarse = tree.coarse(t);
         // The exact measure needs a normal; most crossings are alone.
-        if nearest > coarse {
-            return Self { t, around: None, step: 2.0 * FINE * tree.scale(t) / tree.length };
+        if nearest == f64::INFINITY || nearest > tree.coarse(t) {
+            return Self { t, around: None, step: None };
         }
         let slack = tree.parts.slack(tree.ray, found[which].leaf, &found[which].crossing);
         let step = 2.0 * slack;
-        Self { t, around: (nearest <= slack).then_some([t - step, t + step]), step }
+        Self { t, around: (nearest <= slack).then_some([t - step, t + step]), step: Some(step) }
+    }
+
+    /// To a point within rounding error.
+    fn step(&self, tree: &Tree) -> f64 {
+        self.step.unwrap_or_else(|| 2.0 * FINE * tree.scale(self.t) / tree.length)
     }
 }

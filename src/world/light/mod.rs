@@ -76,6 +76,7 @@ const DARK: f32 = 1e-10;
 
 impl Incident {
     /// Whether nothing arrives.
+    #[inline]
     pub fn is_dark(&self) -> bool {
         is_dark(self.color)
     }
@@ -88,6 +89,7 @@ pub fn is_dark(color: Rgb) -> bool {
 
 impl Light {
     /// The light at `point` from the light's location.
+    #[inline]
     pub fn reaching(&self, point: DVec3) -> Incident {
         self.reaching_from(point, self.location, self.axis)
     }
@@ -100,6 +102,7 @@ impl Light {
     }
 
     /// Whether light runs the same way everywhere rather than from a place.
+    #[inline]
     pub fn runs_parallel(&self) -> bool {
         self.parallel || matches!(self.kind, Kind::Cylinder(_))
     }

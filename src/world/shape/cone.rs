@@ -67,8 +67,27 @@ impl Cone {
         let Some(ends) = between_ends(&ray) else {
             return [None, None];
         };
-        let inside = |sides: Stretch| if self.open { ends.meet(sides) } else { sides.meet(ends) };
-        self.between_sides(&ray).map(|sides| Some(inside(sides?)?.shifted(shift)))
+        let inside = |sides: Option<Stretch>| {
+            let sides = sides?;
+            let inside = if self.open { ends.meet(sides)? } else { sides.meet(ends)? };
+            Some(inside.shifted(shift))
+        };
+        let [one, other] = self.between_sides(&ray);
+        [inside(one), inside(other)]
+    }
+
+    /// Whether it has a single nappe, and its ends.
+    pub(super) fn is_convex(&self) -> bool {
+        self.tip >= 0.0 && !self.open
+    }
+
+    /// The stretch inside, where it is convex.
+    pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
+        match self.stretches(ray) {
+            // Through the apex, where the other nappe begins.
+            [Some(one), Some(other)] => Some(Stretch { enter: one.enter, leave: other.leave }),
+            [one, other] => one.or(other),
+        }
     }
 }
 

@@ -28,11 +28,13 @@ const SWOLLEN: f64 = 1e-10;
 const SHRUNK: f64 = 16.0 * f64::EPSILON;
 
 /// What the border of an open or closed one adds to its radius (squared) and length.
+#[inline]
 pub(super) fn border(open: bool) -> f64 {
     if open { SWOLLEN } else { -SHRUNK }
 }
 
 /// Between the planes of the ends.
+#[inline]
 pub(super) fn between_ends(ray: &Ray) -> Option<Stretch> {
     Stretch::slab((0.0, BASE), (1.0, CAP), ray.origin.z, ray.direction.z)
 }

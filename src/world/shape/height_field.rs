@@ -30,6 +30,9 @@ pub struct HeightField {
 /// Cells along each side of a block.
 const BLOCK: usize = 2;
 
+/// Triangles of a block.
+const MOST: usize = 2 * BLOCK * BLOCK;
+
 /// Samples that make a height of 1.
 const FULL: f64 = 65536.0;
 
@@ -93,23 +96,46 @@ impl HeightField {
             || {
                 let sheared = Sheared::new(ray);
                 let mut max = range.max;
-                self.bvh.along(ray, range, |block| {
-                    let [xs, zs] = self.cells(block as usize);
-                    let cells = zs.flat_map(|z| xs.clone().map(move |x| (z * self.size[0] + x) as u32));
-                    let parts = cells.flat_map(|cell| [2 * cell, 2 * cell + 1]);
-                    let triangles = parts.clone().map(|part| self.triangle(part));
-                    let candidates = sheared.may_meet::<{ 2 * BLOCK * BLOCK }>(triangles);
-                    for (_, part) in parts.enumerate().filter(|(place, _)| candidates & 1 << place != 0) {
-                        let corners = self.triangle(part);
-                        let hit = sheared.meet(corners);
-                        let hit = hit.filter(|hit| range.min < hit.t && hit.t < max);
-                        // The triangle's own height: the ray's would fray what lies level with the water.
-                        if let Some(hit) = hit.filter(|hit| blend(corners, hit.at).y >= self.water) {
-                            max = found(part, hit).unwrap_or(max);
+                self.bvh.along(
+                    ray,
+                    range,
+                    #[inline(always)]
+                    |block| {
+                        let [xs, zs] = self.cells(block as usize);
+                        let mut grid = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
+                        for (row, z) in grid.iter_mut().zip(zs.start..=zs.end) {
+                            for (corner, x) in row.iter_mut().zip(xs.start..=xs.end) {
+                                *corner = self.corner(x, z);
+                            }
                         }
-                    }
-                    max
-                });
+                        // Two triangles of each cell, as in `triangle`.
+                        let mut parts = [0; MOST];
+                        let mut triangles = [[DVec3::ZERO; 3]; MOST];
+                        let mut count = 0;
+                        for (row, z) in zs.enumerate() {
+                            for (column, x) in xs.clone().enumerate() {
+                                let (right, far) = (grid[row][column + 1], grid[row + 1][column]);
+                                let cell = (z * self.size[0] + x) as u32;
+                                parts[count..count + 2].copy_from_slice(&[2 * cell, 2 * cell + 1]);
+                                triangles[count] = [grid[row][column], right, far];
+                                triangles[count + 1] = [grid[row + 1][column + 1], right, far];
+                                count += 2;
+                            }
+                        }
+                        let mut candidates = sheared.may_meet::<MOST>(triangles[..count].iter().copied());
+                        while candidates != 0 {
+                            let place = candidates.trailing_zeros() as usize % MOST;
+                            candidates &= candidates - 1;
+                            let corners = triangles[place];
+                            let Some(hit) = sheared.meet(corners) else { continue };
+                            // The triangle's own height: the ray's would fray what lies level with the water.
+                            if range.min < hit.t && hit.t < max && blend(corners, hit.at).y >= self.water {
+                                max = found(parts[place], hit).unwrap_or(max);
+                            }
+                        }
+                        max
+                    },
+                );
             },
         );
     }

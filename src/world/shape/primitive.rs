@@ -39,6 +39,7 @@ impl Primitive {
         match self {
             Self::Sphere(_) | Self::Box(_) | Self::Plane(_) => true,
             Self::Cylinder(cylinder) => !cylinder.open,
+            Self::Cone(cone) => cone.is_convex(),
             _ => false,
         }
     }
@@ -58,6 +59,7 @@ impl Primitive {
             Self::Box(cuboid) => Some(cuboid.stretch(ray)),
             Self::Plane(plane) => Some(plane.stretch(ray)),
             Self::Cylinder(cylinder) if !cylinder.open => Some(cylinder.stretch(ray)),
+            Self::Cone(cone) if cone.is_convex() => Some(cone.stretch(ray)),
             _ => None,
         }
     }

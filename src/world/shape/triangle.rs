@@ -71,7 +71,7 @@ impl Sheared {
 
     #[inline(always)]
     fn corner(&self, p: DVec3) -> DVec3 {
-        let from = p - self.origin;
+        let from = (p - self.origin).to_array();
         let z = from[self.axes[2]];
         DVec3::new(
             from[self.axes[0]] - self.shear.x * z,
@@ -88,9 +88,10 @@ impl Sheared {
         let mut used = 0;
         for (lane, corners) in triangles.take(N).enumerate() {
             for (side, corner) in corners.into_iter().enumerate() {
-                let [from_x, from_y, z] = self.axes.map(|axis| corner[axis] - self.origin[axis]);
-                lanes[side][0][lane] = from_x - self.shear.x * z;
-                lanes[side][1][lane] = from_y - self.shear.y * z;
+                let [x, y, z] = self.axes;
+                let from = (corner - self.origin).to_array();
+                lanes[side][0][lane] = from[x] - self.shear.x * from[z];
+                lanes[side][1][lane] = from[y] - self.shear.y * from[z];
             }
             used |= 1 << lane;
         }
@@ -109,7 +110,8 @@ impl Sheared {
 
     #[inline(always)]
     pub(super) fn meet(&self, corners: [DVec3; 3]) -> Option<Meeting> {
-        let [a, b, c] = corners.map(|p| self.corner(p));
+        let [a, b, c] = corners;
+        let (a, b, c) = (self.corner(a), self.corner(b), self.corner(c));
         let weights = [edge(b, c), edge(c, a), edge(a, b)];
         let some = |wanted: fn(&f64) -> bool| weights.iter().any(wanted);
         if some(|w| *w < 0.0) && some(|w| *w > 0.0) {

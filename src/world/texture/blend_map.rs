@@ -30,6 +30,7 @@ impl<T> BlendMap<T> {
     }
 
     /// Positions and entries, at least one.
+    #[inline]
     pub fn entries(&self) -> &[(f32, T)] {
         &self.entries
     }

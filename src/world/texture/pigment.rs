@@ -29,6 +29,7 @@ pub enum Pigment {
 
 impl Pigment {
     /// The colour at `sample`; `None` outside a `once` image, where nothing was painted.
+    #[inline]
     pub fn color(&self, sample: &Sample) -> Option<Rgbft> {
         match self {
             Self::Color(color) => Some(*color),

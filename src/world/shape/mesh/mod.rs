@@ -91,17 +91,27 @@ impl Mesh {
             || {
                 let sheared = Sheared::new(ray);
                 let mut range = range;
-                self.bvh.runs_along(ray, range, |run| {
-                    let candidates =
-                        sheared.may_meet::<RUN>(run.clone().map(|face| self.corners(face as u32)));
-                    for face in run.clone().filter(|face| candidates & 1 << (face - run.start) != 0) {
-                        let hit = sheared.meet(self.corners(face as u32));
-                        if let Some(hit) = hit.filter(|hit| range.contains(hit.t)) {
-                            range.max = found(face as u32, hit);
+                self.bvh.runs_along(
+                    ray,
+                    range,
+                    #[inline(always)]
+                    |run| {
+                        let faces = run.clone().map(
+                            #[inline(always)]
+                            |face| self.corners(face as u32),
+                        );
+                        let mut candidates = sheared.may_meet::<RUN>(faces);
+                        while candidates != 0 {
+                            let face = (run.start + candidates.trailing_zeros() as usize) as u32;
+                            candidates &= candidates - 1;
+                            match sheared.meet(self.corners(face)) {
+                                Some(hit) if range.contains(hit.t) => range.max = found(face, hit),
+                                _ => {}
+                            }
                         }
-                    }
-                    range.max
-                });
+                        range.max
+                    },
+                );
             },
         );
     }
@@ -122,13 +132,17 @@ impl Mesh {
         (odd, grazing)
     }
 
+    #[inline(always)]
     fn corners(&self, part: u32) -> [DVec3; 3] {
         corners(&self.lists, &self.faces[part as usize])
     }
 }
 
+#[inline(always)]
 fn corners(lists: &Lists, face: &Face) -> [DVec3; 3] {
-    face.vertices.map(|i| lists.vertices[i as usize])
+    let corner = |i: u32| lists.vertices[i as usize];
+    let [a, b, c] = face.vertices;
+    [corner(a), corner(b), corner(c)]
 }
 
 impl Shape for Mesh {
