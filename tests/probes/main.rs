@@ -3,6 +3,7 @@
 mod averages;
 mod camera;
 mod cost;
+mod endurance;
 mod environment;
 mod media;
 mod numerics;

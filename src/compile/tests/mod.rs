@@ -3,6 +3,7 @@
 mod coincidence;
 mod cost;
 mod csg;
+mod extremes;
 mod oracle;
 mod scene;
 
