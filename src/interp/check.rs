@@ -3,7 +3,7 @@
 use super::interpret;
 use crate::diag::{Collect, Diagnostic, Severity, plain};
 use crate::options::LanguageOptions;
-use crate::source::{Library, Source, Sources};
+use crate::source::{Library, Permissions, Source, Sources};
 use std::fmt;
 
 /// What there is to say about a scene.
@@ -35,7 +35,7 @@ impl fmt::Display for Checked {
     }
 }
 
-/// Reads a scene given as text, and says what is wrong with it.
+/// Reads a scene given as text, and says what is wrong with it. The scene can write no files.
 ///
 /// ```
 /// let checked = povista::check("#version 3.7;\n#declare Size = 2\nsphere { 0, Size }");
@@ -43,7 +43,9 @@ impl fmt::Display for Checked {
 /// insta::assert_snapshot!(checked.to_string().lines().next().unwrap_or(""), @"  × this declaration needs a `;` at its end, found `sphere`");
 /// ```
 pub fn check(text: &str) -> Checked {
-    check_with(Source::new("scene.pov", "", text.into()), Library::default(), &LanguageOptions::default())
+    let permissions = Permissions::write_only_in(Vec::new());
+    let library = Library { permissions, ..Library::default() };
+    check_with(Source::new("scene.pov", "", text.into()), library, &LanguageOptions::default())
 }
 
 /// The same with files to include, and options.

@@ -91,6 +91,7 @@ impl Vm<'_> {
             return;
         }
         self.faults += 1;
+        self.confused = true;
         if let Some(diagnostic) = fault.0 {
             self.report(*diagnostic);
         }

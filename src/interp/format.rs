@@ -19,6 +19,17 @@ pub fn format_float(value: f64, length: i32, precision: i32) -> String {
     }
 }
 
+/// A component of `vstr`: what it may give is not limited as that of `str` is.
+pub fn format_component(value: f64, length: i32, precision: i32) -> String {
+    /// Digits and width that no number needs.
+    const SENSELESS: i32 = 1000;
+    if precision > SENSELESS || length.abs() > SENSELESS {
+        return format_float(value, length, precision);
+    }
+    let precision = if precision < 0 { 6 } else { precision as usize };
+    pad(fixed(value, precision), length.unsigned_abs() as usize, length < 0)
+}
+
 fn fixed(value: f64, precision: usize) -> String {
     special(value).unwrap_or_else(|| format!("{value:.precision$}"))
 }

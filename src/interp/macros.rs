@@ -10,7 +10,7 @@ use std::rc::Rc;
 impl Vm<'_> {
     /// Reads the arguments of a macro whose name was just read, and goes on in its body.
     pub(super) fn call(&mut self, symbol: Symbol, called: &Rc<Macro>, span: Span) -> Result<()> {
-        self.turn(span)?;
+        self.work(1, span)?;
         let name = Rc::clone(self.symbols.name(symbol));
         let blocked = std::mem::replace(&mut self.blocked, false);
         let open = self.peek()?;

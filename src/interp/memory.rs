@@ -7,6 +7,9 @@ use memory_stats::memory_stats;
 /// How much may be added before it is looked at how much there is.
 const UNNOTICED: usize = 16 << 20;
 
+/// Bytes that are made in the time of a step.
+const BYTES_A_STEP: u64 = 64;
+
 /// The memory the program uses at present, in bytes; 0 where the system does not tell.
 pub(super) fn used() -> u64 {
     memory_stats().map_or(0, |stats| stats.physical_mem as u64)
@@ -15,6 +18,7 @@ pub(super) fn used() -> u64 {
 impl Vm<'_> {
     /// Makes sure that so many bytes more are allowed.
     pub(super) fn reserve(&mut self, bytes: usize, span: Span) -> Result<()> {
+        self.work(bytes as u64 / BYTES_A_STEP, span)?;
         self.added = self.added.saturating_add(bytes);
         if self.added < UNNOTICED { Ok(()) } else { self.check_memory(bytes, span) }
     }

@@ -45,6 +45,7 @@ pub mod check;
 mod closing;
 pub mod code;
 mod directive;
+mod effort;
 mod expr;
 mod fault;
 pub mod file;
@@ -139,9 +140,8 @@ pub struct Vm<'a> {
     stack: Vec<f64>,
     /// Levels of nesting of what is being read.
     nesting: u32,
-    /// Turns of loops and calls of macros: in all, and since something was made.
-    turns: u64,
-    idle_turns: u64,
+    /// What was done so far, against scenes that are never done.
+    effort: effort::Effort,
     /// Bytes of big things made since it was last looked at how much memory is in use.
     added: usize,
     /// The memory in use before the run.
@@ -159,9 +159,14 @@ pub struct Vm<'a> {
     /// Why that is has been said.
     ended: bool,
     failed: bool,
+    /// There was an error since the last statement that had none: what follows may belong to the one that
+    /// had it.
+    confused: bool,
     faults: usize,
     errors: usize,
     said: FxHashSet<(Option<Span>, String)>,
+    /// Where names like one that is unknown were looked for.
+    suggested: FxHashSet<Span>,
 }
 
 /// Reads a scene. `None` when it has errors, which the sink has heard of.
@@ -218,8 +223,7 @@ impl<'a> Vm<'a> {
             loops: 0,
             stack: Vec::new(),
             nesting: 0,
-            turns: 0,
-            idle_turns: 0,
+            effort: effort::Effort::default(),
             added: 0,
             memory_before: memory::used(),
             objects: 0,
@@ -229,9 +233,11 @@ impl<'a> Vm<'a> {
             stopped: false,
             ended: false,
             failed: false,
+            confused: false,
             faults: 0,
             errors: 0,
             said: FxHashSet::default(),
+            suggested: FxHashSet::default(),
         };
         vm.declare_options();
         for error in &Rc::clone(&vm.frame.tree).errors {
@@ -280,7 +286,7 @@ impl<'a> Vm<'a> {
         while !self.stopped {
             let depth = self.depth;
             match self.top_level() {
-                Ok(true) => {}
+                Ok(true) => self.confused = false,
                 Ok(false) => break,
                 Err(fault) => {
                     self.settle(fault);
@@ -315,9 +321,21 @@ impl<'a> Vm<'a> {
                 Ok(true)
             }
             _ if statement::read_top_level(self)? => Ok(true),
+            _ if self.is_left_over(token) => Err(Fault::reported()),
             TokenKind::Punct(Punct::Semicolon) => {
                 let fault = self.error(token.span, "a `;` on its own means nothing here");
                 Err(fault.help("it only ends `#declare`, `#local` and `#version`; remove it"))
+            }
+            TokenKind::Text => {
+                let fault = self.error(token.span, "expected an object or a directive, found a string");
+                // A file that is not included would only be missed from here on.
+                self.stop();
+                Err(fault.help("is this a file to read? write `#include` before it"))
+            }
+            TokenKind::Name(symbol) if self.at_node(Punct::Equal) && !self.scopes.is_bound(symbol) => {
+                let fault = self.expected("an object or a directive");
+                self.poison(symbol);
+                Err(fault.help(format!("write `#declare {} = …`", self.symbols.name(symbol))))
             }
             _ => Err(self.expected("an object or a directive")),
         }

@@ -82,6 +82,10 @@ impl Vm<'_> {
         let TokenKind::Word(word) = keyword.kind else { return Err(self.expected("a keyword")) };
         let token = self.peek()?;
         if token.kind != TokenKind::Punct(Punct::OpenBrace) {
+            // Where the brace is forgotten its partner is not; where it only comes late, it will open by itself.
+            let late = self.at_node(Punct::OpenBrace)
+                && (token.kind == keyword.kind || !matches!(token.kind, TokenKind::Word(_)));
+            self.depth += i32::from(!late);
             let found = self.describe(token);
             let fault = self.error(token.span, format!("`{}` needs a `{{` here, found {found}", word.text()));
             return Err(fault.see(keyword.span, format!("this `{}`", word.text())));
@@ -217,6 +221,10 @@ impl Vm<'_> {
             _ => return None,
         };
         if self.scopes.is_bound(symbol) {
+            return None;
+        }
+        // A loop can make the same mistake ten thousand times.
+        if !self.suggested.insert(token.span) {
             return None;
         }
         let name = self.symbols.name(symbol).clone();

@@ -2,9 +2,11 @@
 //! it is run.
 
 use super::directive::BlockKind;
+use super::scope::Place;
 use super::stream::{Token, TokenKind};
+use super::value::Value;
 use super::{Vm, Word};
-use crate::syntax::{Directive, NO_LINK, NodeKind, Punct};
+use crate::syntax::{Directive, NO_LINK, NodeKind, Punct, Symbol};
 
 impl Vm<'_> {
     /// Skips the rest of a top-level statement that began where braces were `depth` deep.
@@ -64,7 +66,7 @@ impl Vm<'_> {
         let token = self.peek_raw();
         match token.kind {
             TokenKind::Punct(Punct::Hash) | TokenKind::End => true,
-            TokenKind::Name(symbol) => self.scopes.is_bound(symbol),
+            TokenKind::Name(symbol) => self.makes_objects(symbol),
             TokenKind::Word(word) => {
                 starts_statement(word)
                     && {
@@ -73,6 +75,38 @@ impl Vm<'_> {
                     }
             }
             _ => false,
+        }
+    }
+
+    fn makes_objects(&self, symbol: Symbol) -> bool {
+        matches!(self.lookup(symbol), Some(Value::Object(_) | Value::Macro(_)))
+    }
+
+    /// Whether a token at the top level is what an error before it left over. Unknown words with a brace or
+    /// parenthesis after them are mistakes of their own.
+    pub(super) fn is_left_over(&self, token: Token) -> bool {
+        let own = match token.kind {
+            TokenKind::Name(symbol) => {
+                !self.scopes.is_bound(symbol)
+                    && (self.at_node(Punct::OpenBrace)
+                        || self.at_node(Punct::OpenParen)
+                        || self.at_node(Punct::Equal))
+            }
+            _ => false,
+        };
+        self.confused && !own
+    }
+
+    /// Whether the node after the token that was peeked is this mark.
+    pub(super) fn at_node(&self, mark: Punct) -> bool {
+        let frame = &self.frame;
+        frame.pos < frame.end && frame.tree.nodes[frame.pos].kind == NodeKind::Punct(mark)
+    }
+
+    /// Gives a name that could not be declared a value whose uses are no further errors.
+    pub(super) fn poison(&mut self, symbol: Symbol) {
+        if !self.scopes.is_bound(symbol) {
+            self.scopes.bind_global(symbol, Place::new(Value::Poisoned));
         }
     }
 

@@ -6,7 +6,11 @@ use super::{Experimental, Result, Vm, Word};
 use crate::scene::Spline;
 use crate::scene::spline::SplineKind;
 use crate::syntax::Punct;
+use std::collections::VecDeque;
 use std::sync::Arc;
+
+/// Points that are copied in the time of a step.
+const POINTS_A_STEP: u64 = 16;
 
 fn kind_of(word: Word) -> Option<SplineKind> {
     Some(match word {
@@ -45,6 +49,9 @@ impl Vm<'_> {
             _ => None,
         })?;
         let mut spline = copied.unwrap_or(Spline { kind: SplineKind::Linear, points: Vec::new(), size: 2 });
+        // Points may come in any order: at either end they are added fast.
+        let mut points = VecDeque::from(std::mem::take(&mut spline.points));
+        self.work(points.len() as u64 / POINTS_A_STEP, keyword.span)?;
         while self.peek_word()?.and_then(kind_of).is_some() {
             spline.kind = self.read_spline_kind()?;
         }
@@ -60,20 +67,21 @@ impl Vm<'_> {
             let value = self.full(2)?;
             vector[..usize::from(value.n)].copy_from_slice(value.components());
             spline.size = spline.size.max(usize::from(value.n));
-            insert(&mut spline.points, key, vector);
+            insert(&mut points, key, vector);
             self.accept_punct(Punct::Comma)?;
         }
-        if spline.points.is_empty() {
+        if points.is_empty() {
             let fault = self.expected("the first point of the spline");
             return Err(fault.help("a spline needs at least one point: `0, <1, 2, 3>`"));
         }
         self.close(block)?;
+        spline.points = points.into();
         Ok(spline)
     }
 }
 
 /// Adds a point by its key. A key that is there already gets the new vector, except the largest.
-fn insert(points: &mut Vec<(f64, [f64; 5])>, key: f64, vector: [f64; 5]) {
+fn insert(points: &mut VecDeque<(f64, [f64; 5])>, key: f64, vector: [f64; 5]) {
     let at = points.partition_point(|point| point.0 < key);
     let last = at + 1 == points.len();
     match points.get_mut(at).filter(|point| point.0 == key) {

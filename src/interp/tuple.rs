@@ -99,13 +99,18 @@ pub mod test {
         f64::from(u8::from(holds))
     }
 
+    /// Whether two numbers are told apart; what is no number is not.
+    fn differ(a: f64, b: f64) -> bool {
+        (a - b).abs() > EPSILON
+    }
+
     /// `a = b`, within a hair's breadth.
     pub fn equal(a: f64, b: f64) -> f64 {
-        number((a - b).abs() <= EPSILON)
+        number(!differ(a, b))
     }
     /// `a != b`.
     pub fn not_equal(a: f64, b: f64) -> f64 {
-        number((a - b).abs() > EPSILON)
+        number(differ(a, b))
     }
     /// `a < b`, exactly.
     pub fn less(a: f64, b: f64) -> f64 {
@@ -117,11 +122,11 @@ pub mod test {
     }
     /// `a <= b`, within a hair's breadth.
     pub fn at_most(a: f64, b: f64) -> f64 {
-        number(a <= b || (a - b).abs() <= EPSILON)
+        number(a <= b || !differ(a, b))
     }
     /// `a >= b`, within a hair's breadth.
     pub fn at_least(a: f64, b: f64) -> f64 {
-        number(a >= b || (a - b).abs() <= EPSILON)
+        number(a >= b || !differ(a, b))
     }
     /// `a & b`.
     pub fn and(a: f64, b: f64) -> f64 {

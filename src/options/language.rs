@@ -26,10 +26,10 @@ pub struct LanguageOptions {
     pub clock: Clock,
     /// Whether things that cannot be rendered yet are left out with a warning.
     pub skip_unsupported: bool,
-    /// Turns that loops may make in a row without making anything (a statement, an element of an
-    /// array, text), calls of macros counted too; then the scene is stopped with an error. In all
-    /// they may make ten times as many.
-    pub max_turns: u64,
+    /// Steps (directives, calls of macros) that may be run in a row without making anything (a
+    /// statement, an element of an array) by loops whose end is not in sight; then the scene is
+    /// stopped with an error. In all fifty times as many may be run.
+    pub max_steps: u64,
     /// Bytes of memory that reading a scene may take; then it is stopped with an error.
     pub max_memory: u64,
 }
@@ -84,7 +84,7 @@ impl Default for LanguageOptions {
             image_height: 600,
             clock: Clock::default(),
             skip_unsupported: false,
-            max_turns: 10_000_000,
+            max_steps: 4_000_000,
             max_memory: 4 << 30,
         }
     }

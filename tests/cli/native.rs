@@ -159,7 +159,7 @@ fn bad_input_of_any_kind_ends_with_one() {
     desk.write("image.pov", "plane { z, 1 pigment { image_map { png \"cut.png\" } } }");
     for scene in ["binary", "deep", "endless", "missing", "folder", "image", "nowhere", "."] {
         let name = if scene == "." { ".".to_owned() } else { format!("{scene}.pov") };
-        let answer = desk.povista(&format!("{name} --size 8x8 --max-turns 10000"));
+        let answer = desk.povista(&format!("{name} --size 8x8 --max-steps 10000"));
         assert_eq!(answer.code, Some(1), "{name}: {}", answer.err);
         assert!(!answer.err.contains("panicked"), "{name}: {}", answer.err);
     }

@@ -62,12 +62,18 @@ pub(super) struct Scene {
     /// Declare a constant for the scene, such as `Size=3` or `Name="text"`
     #[arg(long, value_name = "NAME=VALUE")]
     pub(super) declare: Vec<String>,
-    /// Stop a scene whose loops turn more often than this without making anything, or ten times as often in all [default: 10000000]
+    /// Stop a scene that runs this many directives and macros without making anything and with no end in sight, or fifty times as many in all [default: 4000000]
     #[arg(long, value_name = "COUNT")]
-    pub(super) max_turns: Option<u64>,
+    pub(super) max_steps: Option<u64>,
     /// Stop a scene that takes more memory than this while it is read [default: 4096]
     #[arg(long, value_name = "MEGABYTES")]
     pub(super) max_memory: Option<u64>,
+    /// Let the scene write files in this folder, besides the current one, its own and the picture's
+    #[arg(long, value_name = "FOLDER", value_hint = ValueHint::DirPath)]
+    pub(super) allow_write: Vec<PathBuf>,
+    /// Run the commands INI files name, even where no `povray.conf` allows shell-outs
+    #[arg(long)]
+    pub(super) allow_shell: bool,
     /// Set the scene's `clock`
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub(super) clock: Option<f32>,

@@ -40,9 +40,14 @@ pub(super) fn of_scene(scene: &Scene) -> Result<Settings, Problem> {
 /// # Errors
 /// The settings ask for what cannot be.
 pub(super) fn job(scene: &Scene, settings: &Settings) -> Result<Job, Problem> {
-    let mut job = Job::new(settings, Restrictions::read(Environment::of_process().home.as_deref()))?;
-    if let Some(turns) = scene.max_turns {
-        job.language.max_turns = turns;
+    let mut restrictions = Restrictions::read(Environment::of_process().home.as_deref());
+    restrictions.shellouts |= scene.allow_shell;
+    let mut job = Job::new(settings, restrictions)?;
+    for folder in &scene.allow_write {
+        job.permissions.allow_write(folder);
+    }
+    if let Some(steps) = scene.max_steps {
+        job.language.max_steps = steps;
     }
     if let Some(megabytes) = scene.max_memory {
         job.language.max_memory = megabytes.saturating_mul(1 << 20);

@@ -32,6 +32,9 @@ pub struct Compiled {
     objects: FxHashMap<*const Object, (Arc<Object>, Rc<Probe>)>,
 }
 
+/// Terms and calls of a function that are done in the time of a step.
+const TERMS_A_STEP: u64 = 16;
+
 /// Reads the arguments of a function or spline whose name was just taken, and computes it.
 pub fn call(vm: &mut Vm, called: &Value, name: Symbol, span: Span) -> Result<Tuple> {
     match called {
@@ -62,6 +65,7 @@ pub fn call(vm: &mut Vm, called: &Value, name: Symbol, span: Span) -> Result<Tup
             let mut value = [0.0; 5];
             let budget = Budget::default();
             let size = compiled.call_within(&numbers, &mut value, &budget);
+            vm.work(budget.spent() / TERMS_A_STEP, span)?;
             check_end(vm, &budget, name, span)?;
             Ok(Tuple::new(&value[..size]))
         }

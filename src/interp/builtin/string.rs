@@ -1,7 +1,7 @@
 //! Strings and the functions that give them, docs/spec/language.md 1.6, 3.5 and 3.10.
 
 use super::arguments;
-use crate::interp::format::format_float;
+use crate::interp::format::{format_component, format_float};
 use crate::interp::limits::MOST_CHARACTERS;
 use crate::interp::stream::TokenKind;
 use crate::interp::value::Value;
@@ -201,7 +201,7 @@ fn call(vm: &mut Vm, word: Word, span: Span) -> Result<Rc<str>> {
             let separator = vm.read_string()?;
             let (length, precision) = layout(vm)?;
             let parts: Vec<String> =
-                value.c[..n as usize].iter().map(|&c| format_float(c, length, precision)).collect();
+                value.c[..n as usize].iter().map(|&c| format_component(c, length, precision)).collect();
             Ok(parts.join(&separator))
         })?,
         Word::Substr => {

@@ -20,9 +20,9 @@ pub(in crate::interp) enum BlockKind {
     /// A clause of a `#switch` runs.
     Clause { link: u32 },
     /// `#while`: where the condition starts, and the turns so far.
-    While { condition: usize, end: usize, turns: u32 },
-    /// `#for`: the running name, its last value and step, and where the body starts.
-    For { name: Symbol, last: f64, step: f64, body: usize, end: usize },
+    While { condition: usize, end: usize, turns: u64 },
+    /// `#for`: the running name, its last value and step, where the body starts, and the turns so far.
+    For { name: Symbol, last: f64, step: f64, body: usize, end: usize, turns: u64 },
 }
 
 impl BlockKind {
@@ -347,7 +347,7 @@ impl Vm<'_> {
             return Err(self.fatal(span, "too many directives are open inside each other"));
         }
         self.loops += u32::from(kind.is_loop());
-        self.blocks.push(Open { kind, span });
+        self.blocks.push(Open { kind, span, since: self.effort.steps() });
         Ok(())
     }
 

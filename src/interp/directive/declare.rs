@@ -57,7 +57,8 @@ impl Vm<'_> {
             }
         };
         let ends = value.ends_with_semicolon;
-        self.assign(&target, value.value, local)?;
+        let value = if ends && self.goes_on() { Value::Poisoned } else { value.value };
+        self.assign(&target, value, local)?;
         if let (Some(note), true) = (note, fresh) {
             let message = note.message.unwrap_or_else(|| {
                 format!("`{}` is deprecated and may go away", self.symbols.name(target.symbol)).into()
@@ -65,6 +66,18 @@ impl Vm<'_> {
             self.scopes.deprecate(target.symbol, Deprecation { message, once: note.once });
         }
         self.end_declaration(ends, blocks)
+    }
+
+    /// Whether what follows a number that was declared seems to belong to it, so that it is not what was meant.
+    fn goes_on(&mut self) -> bool {
+        use Punct::{And, Comma, Equal, Greater, Less, Or, Question};
+        let marks = [And, Comma, Equal, Greater, Less, Or, Question];
+        self.version >= 350
+            && match self.peek_raw().kind {
+                TokenKind::Number(_) | TokenKind::Vector(_) => true,
+                TokenKind::Punct(mark) => marks.contains(&mark),
+                _ => false,
+            }
     }
 
     /// Ends a directive that has an error: what belongs to it is skipped.
@@ -93,7 +106,11 @@ impl Vm<'_> {
 
     /// Reads the name, subscripts and `=` of a declaration.
     fn read_target(&mut self, local: bool) -> Result<Target> {
-        let token = self.next_raw();
+        let token = self.peek_raw();
+        if token.kind == TokenKind::Punct(Punct::Hash) {
+            return Err(self.expected_at(token, "a name to declare"));
+        }
+        self.next_raw();
         let symbol = match token.kind {
             TokenKind::Name(symbol) => symbol,
             TokenKind::Word(word) => {
@@ -102,7 +119,13 @@ impl Vm<'_> {
                     .error(token.span, message)
                     .help("names with a capital letter are never reserved"));
             }
-            _ => return Err(self.expected_at(token, "a name to declare")),
+            _ => {
+                let fault = self.expected_at(token, "a name to declare");
+                if let TokenKind::Name(symbol) = self.peek_raw().kind {
+                    self.poison(symbol);
+                }
+                return Err(fault);
+            }
         };
         match self.lookup(symbol) {
             Some(Value::Macro(called)) => {
@@ -122,7 +145,9 @@ impl Vm<'_> {
         let equal = self.peek_raw();
         if equal.kind != TokenKind::Punct(Punct::Equal) {
             let name = self.symbols.name(symbol).clone();
-            return Err(self.expected_at(equal, &format!("`=` after `{name}`")));
+            let fault = self.expected_at(equal, &format!("`=` after `{name}`"));
+            self.poison(symbol);
+            return Err(fault);
         }
         let bound = if local { self.scopes.find_local(symbol) } else { self.scopes.find(symbol) }.cloned();
         self.next_raw();
@@ -187,7 +212,7 @@ impl Vm<'_> {
             }
         });
         let known = known.cloned();
-        if target.element.is_some() {
+        if target.element.as_ref().is_some_and(|place| place.look().is_none()) {
             self.made_something();
         }
         let copied = known.as_ref().map_or(0, Place::copied_elements);

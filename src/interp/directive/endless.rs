@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::rc::Rc;
 
 /// Turns of a `#while` before it is looked at: most loops are done by then.
-pub(super) const PATIENCE: u32 = 100;
+pub(super) const PATIENCE: u64 = 100;
 
 impl Vm<'_> {
     /// The error for a `#while` between two nodes of the file at hand, if it never ends.
@@ -20,7 +20,8 @@ impl Vm<'_> {
         let code = Rc::clone(&self.frame.tree);
         let (names, body) = self.inputs(&code.nodes, condition)?;
         let places = names.iter().filter_map(|&name| self.scopes.find(name)).collect();
-        let mut search = Search { vm: self, names: &names, places, seen: Vec::new() };
+        let growth = self.growth(&code.nodes[condition..body]);
+        let mut search = Search { vm: self, names: &names, places, growth, seen: Vec::new() };
         if !search.goes_on(&code, body..end) {
             return None;
         }
@@ -28,6 +29,9 @@ impl Vm<'_> {
             names.iter().map(|&name| format!("`{}`", self.symbols.name(name))).collect();
         listed.dedup();
         let label = match listed.as_slice() {
+            [name] if self.growth(&code.nodes[condition..body]).is_some() => {
+                format!("nothing in it brings {name} nearer to the end")
+            }
             [] => "its condition is always true, and there is no `#break` in it".to_owned(),
             [name] => format!("nothing in it changes {name}"),
             [names @ .., last] => format!("nothing in it changes {} or {last}", names.join(", ")),
@@ -66,6 +70,27 @@ impl Vm<'_> {
         None
     }
 
+    /// The name a condition compares, and the sign of what may be added to it while the condition holds, and
+    /// ever will: `I > 0` as long as `I` only grows. The nodes start with the opening parenthesis.
+    fn growth(&self, condition: &[Node]) -> Option<(Symbol, Punct)> {
+        let [_, left, mark, right, _] = condition else { return None };
+        let NodeKind::Punct(mark) = mark.kind else { return None };
+        let name = |node: &Node| match node.kind {
+            NodeKind::Word(symbol) if Word::of(symbol).is_none() => Some(symbol),
+            _ => None,
+        };
+        let either = |node: &Node, sign: Punct| name(node).map(|name| (name, sign));
+        match mark {
+            Punct::Greater | Punct::GreaterEqual if name(left) != name(right) => {
+                either(left, Punct::Plus).or_else(|| either(right, Punct::Minus))
+            }
+            Punct::Less | Punct::LessEqual if name(left) != name(right) => {
+                either(left, Punct::Minus).or_else(|| either(right, Punct::Plus))
+            }
+            _ => None,
+        }
+    }
+
     fn macro_of(&self, symbol: Symbol) -> Option<Rc<Macro>> {
         match self.lookup(symbol) {
             Some(Value::Macro(called)) => Some(called),
@@ -80,6 +105,8 @@ struct Search<'s, 'a> {
     /// What has to stay as it is, by name and by place.
     names: &'s [Symbol],
     places: Vec<&'s Place>,
+    /// The name that may grow, and the sign of its growth.
+    growth: Option<(Symbol, Punct)>,
     /// The macros that were looked at.
     seen: Vec<Rc<Macro>>,
 }
@@ -92,7 +119,8 @@ impl Search<'_, '_> {
                 Directive::Break | Directive::Include | Directive::Error | Directive::Macro => false,
                 Directive::Fopen | Directive::Fclose | Directive::Read => self.names.is_empty(),
                 Directive::Declare | Directive::Local | Directive::Undef | Directive::For => {
-                    !target(&code.nodes[index + 1..]).is_some_and(|name| self.matters(name))
+                    let rest = &code.nodes[index + 1..];
+                    !target(rest).is_some_and(|name| self.matters(name)) || self.grows(rest)
                 }
                 _ => true,
             },
@@ -129,6 +157,20 @@ impl Search<'_, '_> {
         self.seen.push(Rc::clone(called));
         // Macros that call each other may do so many levels deep.
         stacker::maybe_grow(64 << 10, 1 << 20, || self.goes_on(&called.tree, called.start..called.end))
+    }
+
+    /// Whether the nodes after `#declare` are `I = I + 1;`, for the name that may grow.
+    fn grows(&self, declaration: &[Node]) -> bool {
+        let Some((name, sign)) = self.growth else { return false };
+        let kinds = [
+            NodeKind::Word(name),
+            NodeKind::Punct(Punct::Equal),
+            NodeKind::Word(name),
+            NodeKind::Punct(sign),
+        ];
+        declaration.iter().map(|node| node.kind).take(4).eq(kinds)
+            && matches!(declaration.get(4).map(|node| node.kind), Some(NodeKind::Number(_)))
+            && matches!(declaration.get(5).map(|node| node.kind), Some(NodeKind::Punct(Punct::Semicolon)))
     }
 
     fn matters(&self, symbol: Symbol) -> bool {

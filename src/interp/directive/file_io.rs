@@ -13,6 +13,9 @@ use std::cell::{Cell, RefCell};
 use std::io::{BufWriter, Write};
 use std::rc::Rc;
 
+/// Bytes that are written in the time of a step.
+const BYTES_A_STEP: u64 = 16;
+
 impl Vm<'_> {
     /// `#fopen`, just read.
     pub(super) fn open_file(&mut self) -> Result<()> {
@@ -98,7 +101,6 @@ impl Vm<'_> {
                 .error(at, "this file was opened for reading")
                 .help("open it with `write` or `append`"));
         };
-        self.made_something();
         let mut bytes = Vec::new();
         self.comma()?;
         while self.peek()?.kind != TokenKind::Punct(Punct::CloseParen) {
@@ -122,6 +124,7 @@ impl Vm<'_> {
             self.comma()?;
         }
         self.close_paren(open)?;
+        self.work(bytes.len() as u64 / BYTES_A_STEP, span)?;
         let written = file.borrow_mut().write_all(&bytes);
         written.map_err(|error| self.error(span, format!("cannot write to this file: {error}")))
     }
@@ -147,6 +150,7 @@ impl Vm<'_> {
             ended = matches!(item, Ok(None)) || data.skip();
             position.set(data.at);
             if let Some(value) = item.map_err(|fault| fault.see(span, "read here"))? {
+                self.made_something();
                 match target {
                     Ok(place) => place.set(value).map_err(|message| self.error(at, message))?,
                     Err(name) => self.scopes.bind_global(name, Place::new(value)),

@@ -5,15 +5,38 @@ use crate::interp::limits::MOST_SCOPES;
 use crate::interp::stream::{Entered, Frame};
 use crate::interp::{Fault, Result, Vm};
 use crate::source::{FileId, Missing, Span};
-use crate::syntax::parse;
+use crate::syntax::{Directive, NodeKind, parse};
 use std::rc::Rc;
 
 impl Vm<'_> {
     /// `#include`, just read: goes on in the file.
     pub(in crate::interp) fn include(&mut self, span: Span) -> Result<()> {
-        let start = self.peek()?.span;
-        let name = self.read_file_name()?;
+        let named = self.include_name();
+        let (start, name) = match named {
+            Ok(named) => named,
+            Err(fault) => {
+                // As with a file that cannot be found.
+                self.stop();
+                return Err(fault);
+            }
+        };
         self.include_file(&name, span, start.to(self.last))
+    }
+
+    /// Reads the name of a file, and where it starts.
+    fn include_name(&mut self) -> Result<(Span, String)> {
+        // A directive may choose between names, but none of these.
+        if let Some((node, span)) = self.node()
+            && matches!(
+                node.kind,
+                NodeKind::Directive(Directive::Include | Directive::Declare | Directive::Local, _)
+            )
+        {
+            let word = self.sources.text(span).to_owned();
+            return Err(self.error(span, format!("expected a string after `#include`, found `{word}`")));
+        }
+        let start = self.peek()?.span;
+        Ok((start, self.read_file_name()?))
     }
 
     /// Goes on in a file; `span` is the directive, `place` the name in it.

@@ -19,6 +19,7 @@ impl Vm<'_> {
             return Err(fault
                 .help("every `#if`, `#while`, `#for` and `#switch` in its body needs an `#end` of its own"));
         }
+        let named = self.peek_raw();
         let head = self.read_macro_head();
         let start = self.frame.pos;
         self.ahead = None;
@@ -27,6 +28,9 @@ impl Vm<'_> {
             Ok(head) => head,
             Err(fault) => {
                 self.settle(fault);
+                if let TokenKind::Name(symbol) = named.kind {
+                    self.poison(symbol);
+                }
                 return Ok(());
             }
         };

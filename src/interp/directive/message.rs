@@ -5,6 +5,9 @@ use crate::interp::{Result, Vm};
 use crate::source::Span;
 use crate::syntax::Directive;
 
+/// What showing a text costs.
+const STEPS_A_MESSAGE: u64 = 64;
+
 impl Vm<'_> {
     /// `#debug`, or `#render` and `#statistics`, which have no stream of their own.
     pub(super) fn debug(&mut self, directive: Directive, span: Span) -> Result<()> {
@@ -13,7 +16,7 @@ impl Vm<'_> {
             self.warn(span, message, "write `#debug`");
         }
         let text = self.read_message(directive)?;
-        self.made_something();
+        self.work(STEPS_A_MESSAGE, span)?;
         self.sink.text(Stream::Debug, &cut(&text, 200, 156));
         Ok(())
     }
@@ -21,6 +24,7 @@ impl Vm<'_> {
     /// `#warning`.
     pub(super) fn user_warning(&mut self, span: Span) -> Result<()> {
         let text = self.read_message(Directive::Warning)?;
+        self.work(STEPS_A_MESSAGE, span)?;
         self.warn(span.to(self.last), cut(&text, 160, 124).trim_end().replace('\n', " "), "");
         Ok(())
     }

@@ -24,11 +24,14 @@ pub(super) struct Open {
     pub kind: BlockKind,
     /// Where it was opened.
     pub span: Span,
+    /// The step at which that was.
+    pub since: u64,
 }
 
 impl Vm<'_> {
     /// Runs a directive that was just read; `link` leads to the next one of its block.
     pub(super) fn run(&mut self, directive: Directive, link: u32, span: Span) -> Result<()> {
+        self.work(1, span)?;
         let blocked = std::mem::replace(&mut self.blocked, false);
         let result = self.nested(span, |vm| vm.dispatch(directive, link, span));
         self.blocked = blocked;

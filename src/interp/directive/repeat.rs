@@ -11,10 +11,6 @@ use crate::source::Span;
 use crate::syntax::{Directive, NO_LINK, Punct};
 
 const EPSILON: f64 = 1e-10;
-/// How many times more turns are allowed in all than in a row without making anything.
-const BUSY: u64 = 10;
-/// Turns between two looks at how much memory is in use.
-const TURNS_UNNOTICED: u64 = 1024;
 
 impl Vm<'_> {
     /// `#while`, just read.
@@ -37,9 +33,8 @@ impl Vm<'_> {
         let span = open.span;
         let BlockKind::While { condition, end, turns } = &mut open.kind else { return Ok(()) };
         let (condition, end) = (*condition, *end);
-        *turns = turns.saturating_add(1);
+        *turns += 1;
         let suspicious = *turns == PATIENCE;
-        self.turn(span)?;
         self.frame.pos = condition;
         let endless = if suspicious { self.endless(condition, end, span) } else { None };
         let value = match endless {
@@ -107,15 +102,16 @@ impl Vm<'_> {
             None => self.scopes.bind_local(name, Place::new(Value::Float(first))),
         }
         let runs = if step > 0.0 { first < last + EPSILON } else { first > last - EPSILON };
-        Ok((BlockKind::For { name, last, step, body: self.frame.pos, end }, runs))
+        Ok((BlockKind::For { name, last, step, body: self.frame.pos, end, turns: 0 }, runs))
     }
 
     /// `#end` of a `#for`: counts on.
     pub(super) fn end_for(&mut self) -> Result<()> {
-        let Some(open) = self.blocks.last() else { return Ok(()) };
+        let Some(open) = self.blocks.last_mut() else { return Ok(()) };
         let span = open.span;
-        let BlockKind::For { name, last, step, body, end } = open.kind else { return Ok(()) };
-        self.turn(span)?;
+        let BlockKind::For { name, last, step, body, end, turns } = &mut open.kind else { return Ok(()) };
+        *turns += 1;
+        let (name, last, step, body, end) = (*name, *last, *step, *body, *end);
         let place = self.scopes.find_local(name).cloned();
         let Some((place, Value::Float(value))) =
             place.and_then(|place| place.get().map(|value| (place, value)))
@@ -154,39 +150,6 @@ impl Vm<'_> {
         self.settle(fault);
         self.ahead = None;
         self.frame.pos = end + 1;
-        Ok(())
-    }
-
-    /// Notes that something was made: a statement, an element of an array, text.
-    #[inline]
-    pub(in crate::interp) fn made_something(&mut self) {
-        self.idle_turns = 0;
-    }
-
-    /// Counts a turn of a loop or a call of a macro.
-    pub(in crate::interp) fn turn(&mut self, span: Span) -> Result<()> {
-        self.turns += 1;
-        self.idle_turns += 1;
-        let most = self.options.max_turns;
-        let runaway = if self.idle_turns > most {
-            Some(format!("loops turned {most} times here without making anything"))
-        } else if self.turns > most.saturating_mul(BUSY) {
-            Some(format!("still not done after {} turns of loops", self.turns - 1))
-        } else {
-            None
-        };
-        if let Some(message) = runaway {
-            let fault = self.fatal(span, message).label("the loop that was running");
-            return Err(
-                fault.help("does its condition ever become false? otherwise allow more with `--max-turns`")
-            );
-        }
-        if self.turns.is_multiple_of(TURNS_UNNOTICED) {
-            self.check_memory(0, span)?;
-        }
-        if self.stopped {
-            return Err(Fault::reported());
-        }
         Ok(())
     }
 }

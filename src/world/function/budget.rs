@@ -18,6 +18,9 @@ impl Budget {
     /// Calls of itself that a function may have open. POV-Ray's memory is corrupt after 1000.
     pub const DEPTH: u32 = 1000;
 
+    /// What a call costs that may be one of itself.
+    const CALL: u32 = 4;
+
     /// Whether an evaluation came to an end because it called itself too deep.
     pub fn is_too_deep(&self) -> bool {
         self.too_deep.get()
@@ -28,13 +31,22 @@ impl Budget {
         self.steps.get() >= Self::STEPS
     }
 
+    /// The steps an evaluation took.
+    pub fn spent(&self) -> u64 {
+        self.steps.get().into()
+    }
+
     /// Takes a step, if one is left.
     pub(super) fn spend(&self) -> bool {
+        self.take(1)
+    }
+
+    fn take(&self, count: u32) -> bool {
         let steps = self.steps.get();
         if steps >= Self::STEPS {
             return false;
         }
-        self.steps.set(steps + 1);
+        self.steps.set(steps + count);
         true
     }
 
@@ -49,7 +61,7 @@ impl Budget {
             // Others that wait for their turn need not try.
             self.steps.set(Self::STEPS);
         }
-        if !self.spend() {
+        if !self.take(Self::CALL) {
             return f64::NAN;
         }
         self.depth.set(depth + 1);
