@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::Problem;
 use super::animation::{Animation, Frame};
 use super::output::{Dither, Encoding, Format, Place};
-use super::restrictions::Restrictions;
+use super::restrictions::{self, Restrictions};
 use super::settings::{Kind, Name, Settings};
 use super::shellout::Shellouts;
 use crate::math::Gamma;
@@ -93,19 +93,33 @@ impl Job {
             high_reproducibility: settings.bool(Name::HighReproducibility).unwrap_or(false),
             ..RenderOptions::new(width, height)
         };
-        Ok(Self {
+        let mut job = Self {
             language,
             render,
             encoding,
             animation: Animation::new(settings),
             continue_trace: settings.bool(Name::ContinueTrace) == Some(true),
             shellouts,
-            permissions: restrictions.files,
+            permissions: Permissions::default(),
             warnings,
             exact_output: false,
             output_name: settings.text(Name::OutputFileName).map(str::to_owned),
             input,
-        })
+        };
+        job.permissions = restrictions.files.unwrap_or_else(|| job.default_permissions());
+        Ok(job)
+    }
+
+    /// What scenes may write unless the user has rules: files in the current folder, in the scene's, and in that
+    /// of its pictures.
+    fn default_permissions(&self) -> Permissions {
+        let picture = match self.animation.frames().next().and_then(|frame| self.place(&frame)) {
+            Some(Place::File(path)) if !path.exists() || path.is_file() => Some(path),
+            _ => None,
+        };
+        let files =
+            [Some(Path::new("")), Path::new(&self.input).parent(), picture.as_deref().and_then(Path::parent)];
+        restrictions::defaults(files.into_iter().flatten())
     }
 
     /// What the interpreter may see at the moment of the first picture.

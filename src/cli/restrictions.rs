@@ -2,7 +2,8 @@
 //!
 //! Shell-outs run only if each `povray.conf` there is allows them, and one is there. POV-Ray reads the
 //! restrictions of files and paths, but enforces none; here those count that users set for themselves.
-//! The system's don't: as Debian ships them, no picture could be written beside its scene.
+//! The system's don't: as Debian ships them, no picture could be written beside its scene. A user who sets
+//! none gets [`defaults`]: scenes read anything, and write in the current folder, their own and the picture's.
 
 use std::path::{Path, PathBuf};
 
@@ -23,8 +24,8 @@ const USER: &str = ".povray/3.7/povray.conf";
 pub struct Restrictions {
     /// Whether INI files may run programs.
     pub shellouts: bool,
-    /// Which files a scene may read and write.
-    pub files: Permissions,
+    /// Which files a scene may read and write, if the user says so.
+    pub files: Option<Permissions>,
     /// What is odd about the `povray.conf` files.
     pub warnings: Vec<String>,
 }
@@ -44,8 +45,14 @@ impl Restrictions {
         let all = [&system, &user];
         let shellouts =
             all.iter().any(|conf| conf.is_some()) && all.into_iter().flatten().all(|conf| conf.shellouts);
-        Self { shellouts, files: user.map(Conf::permissions).unwrap_or_default(), warnings }
+        Self { shellouts, files: user.map(Conf::permissions), warnings }
     }
+}
+
+/// What a scene may read and write whose user has no rules: nothing is written but in these folders.
+pub fn defaults<'a>(folders: impl IntoIterator<Item = &'a Path>) -> Permissions {
+    let current = |folder: &'a Path| if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    Permissions::write_only_in(folders.into_iter().map(|folder| Folder::open(current(folder))).collect())
 }
 
 /// Which files are restricted.
@@ -123,7 +130,8 @@ impl Conf {
 
     fn permissions(self) -> Permissions {
         let (read, write) = (self.security == Security::Restricted, self.security != Security::None);
-        Permissions { read: read.then_some(self.readable), write: write.then_some(self.writable) }
+        let (read, write) = (read.then_some(self.readable), write.then_some(self.writable));
+        Permissions { read, write, written: true }
     }
 }
 
@@ -175,7 +183,10 @@ mod tests {
         ];
         for (security, read_paths, write_paths) in rows {
             let (conf, odd) = read(&format!("[File I/O Security]\n{security}\n{paths}"));
-            assert_eq!(conf.permissions(), Permissions { read: read_paths, write: write_paths });
+            assert_eq!(
+                conf.permissions(),
+                Permissions { read: read_paths, write: write_paths, written: true }
+            );
             assert_eq!(odd, [6, 7]);
         }
     }
@@ -184,12 +195,13 @@ mod tests {
     fn a_users_file_restricts_and_nobodys_allows_nothing() {
         let folder = tempfile::tempdir().expect("a folder for the test");
         let free = Restrictions::read(Some(folder.path()));
-        assert_eq!(free.files, Permissions::default());
+        assert_eq!(free.files, None);
         std::fs::create_dir_all(folder.path().join(".povray/3.7")).expect("the folder takes folders");
         let text = "[File I/O Security]\nrestricted\n[Shellout Security]\nforbidden\n";
         std::fs::write(folder.path().join(USER), text).expect("the folder takes files");
         let strict = Restrictions::read(Some(folder.path()));
         assert!(!strict.shellouts);
-        assert_eq!(strict.files, Permissions { read: Some(Vec::new()), write: Some(Vec::new()) });
+        let nothing = Permissions { read: Some(Vec::new()), write: Some(Vec::new()), written: true };
+        assert_eq!(strict.files, Some(nothing));
     }
 }

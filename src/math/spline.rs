@@ -106,7 +106,7 @@ impl Spline {
         if last == 1 {
             return each(|c| 0.5 * (values[0][c] + values[1][c]));
         }
-        if p <= keys[1] {
+        if p <= keys[1] || p.is_nan() {
             return values[1];
         }
         if p > keys[last - 1] {

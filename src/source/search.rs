@@ -88,9 +88,7 @@ impl Library {
     pub fn create(&self, name: &str, append: bool) -> io::Result<std::fs::File> {
         let mut options = std::fs::OpenOptions::new();
         options.create(true).write(true).append(append).truncate(!append);
-        let path = self.current.join(name);
-        self.permissions.check_write(&path)?;
-        options.open(path)
+        options.open(self.permissions.check_write(&self.current.join(name))?)
     }
 
     /// Finds and reads a file.
@@ -105,11 +103,26 @@ impl Library {
         if path.is_dir() {
             return Err(Missing::Folder(path));
         }
-        match self.permissions.check_read(&path).and_then(|()| std::fs::read(&path)) {
+        match self.permissions.check_read(&path).and_then(|()| read(&path)) {
             Ok(bytes) => Ok((path, bytes)),
             Err(error) => Err(Missing::Unreadable(path, error)),
         }
     }
+}
+
+/// Bytes of the longest file that is read; text of more has no spans.
+const LONGEST: u64 = u32::MAX as u64;
+
+/// Reads a file that has an end.
+fn read(path: &Path) -> io::Result<Vec<u8>> {
+    let file = std::fs::metadata(path)?;
+    if !file.is_file() {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is no ordinary file"));
+    }
+    if file.len() > LONGEST {
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, "it is longer than 4 GiB"));
+    }
+    std::fs::read(path)
 }
 
 #[cfg(test)]

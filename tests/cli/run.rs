@@ -68,6 +68,86 @@ fn programs_are_named_by_ini_files_alone_and_may_be_forbidden() {
 }
 
 #[test]
+fn programs_run_where_they_are_asked_for() {
+    let desk = Desk::new();
+    desk.write("povray.ini", "Post_Scene_Command=touch done\n");
+    let answer = desk.povista("a.pov --size 8x8");
+    assert!(!desk.path("done").exists(), "{}", answer.err);
+    let answer = desk.povista("a.pov --size 8x8 --allow-shell");
+    assert!(desk.path("done").exists(), "{}", answer.err);
+}
+
+/// Without rules of the user's own: scenes write beside themselves, beside the picture and in the current folder.
+#[test]
+#[cfg(unix)]
+fn a_scene_writes_nowhere_else() {
+    use std::os::unix::fs::symlink;
+    let desk = Desk::new();
+    let away = tempfile::tempdir().unwrap();
+    fs::create_dir(away.path().join("scene")).unwrap();
+    for folder in ["sub/deep", "pictures", "home/.ssh"] {
+        fs::create_dir_all(desk.path(folder)).unwrap();
+    }
+    desk.write("home/.ssh/config", "Host");
+    symlink(away.path(), desk.path("out")).unwrap();
+    symlink(away.path().join("new"), desk.path("new.txt")).unwrap();
+    symlink(away.path().join("new.png"), desk.path("linked.png")).unwrap();
+    let outside = away.path().join("a.txt").display().to_string();
+    let beside = away.path().join("scene/a.txt").display().to_string();
+    let scene = away.path().join("scene/a.pov");
+    let write = |name: &str, mode: &str, line: &str| {
+        fs::write(&scene, format!("{}\n#fopen F \"{name}\" {mode} #write(F, 1) #fclose F", super::SCENE))
+            .unwrap();
+        desk.povista(&format!("{} --size 8x8 -o pictures/a.png {line}", scene.display())).code == Some(0)
+    };
+    for (name, permitted) in [
+        ("a.txt", true),
+        ("sub/deep/a.txt", true),
+        ("pictures/a.txt", true),
+        (&*beside, true),
+        (&*outside, false),
+        ("../a.txt", false),
+        ("/etc/povista", false),
+        ("out/a.txt", false),
+        ("new.txt", false),
+        ("home/.ssh/config", false),
+        (".bashrc", false),
+        ("sub", false),
+    ] {
+        for mode in ["write", "append"] {
+            assert_eq!(write(name, mode, ""), permitted, "{name} {mode}");
+        }
+    }
+    assert_eq!(fs::read_to_string(desk.path("home/.ssh/config")).unwrap(), "Host");
+    let allow = format!("--allow-write {}", away.path().display());
+    assert!(write(&outside, "write", &allow) && write("out/b.txt", "append", &allow));
+    // A picture does not follow a link out of its folder either.
+    let answer = desk.povista("a.pov --size 8x8 -o linked.png");
+    assert!(answer.code == Some(1) && answer.err.contains("--allow-write"), "{}", answer.err);
+    assert!(!away.path().join("new.png").exists() && !away.path().join("new").exists());
+}
+
+/// A file that has no end is not read.
+#[test]
+#[cfg(unix)]
+fn what_is_no_ordinary_file_is_not_opened() {
+    let desk = Desk::new();
+    assert!(Command::new("mkfifo").arg(desk.path("pipe")).status().unwrap().success());
+    for text in [
+        "#include \"/dev/zero\"",
+        "#include \"pipe\"",
+        "#fopen F \"pipe\" read",
+        "#fopen F \"pipe\" write",
+        "#fopen F \"/dev/null\" write",
+        "plane { z, 1 pigment { image_map { png \"/dev/zero\" } } }",
+    ] {
+        desk.write("a.pov", text);
+        let answer = desk.povista("check a.pov");
+        assert_eq!(answer.code, Some(1), "{text}: {}", answer.err);
+    }
+}
+
+#[test]
 fn a_scene_keeps_to_the_folders_its_user_permits() {
     let desk = Desk::new();
     desk.write("secret/key.inc", "#declare Key = 1;");

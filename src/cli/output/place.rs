@@ -83,7 +83,7 @@ impl Place {
             Self::Stdout => Ok(Opened::Stream(Box::new(io::stdout()))),
             Self::Stderr => Ok(Opened::Stream(Box::new(io::stderr()))),
             Self::File(path) => {
-                permissions.check_write(path).map_err(|error| Problem::io("write", path, &error))?;
+                permissions.check_picture(path).map_err(|error| Problem::io("write", path, &error))?;
                 open_file(path)
             }
         }
