@@ -89,7 +89,7 @@ fn check_file(path: &Path) -> Checked {
     let name = path.file_name().unwrap().to_string_lossy().into_owned();
     let source = Source::new(name, path, fs::read(path).unwrap());
     let library = Library { current: path.parent().unwrap().join("include"), ..Library::default() };
-    check_with(source, library, &LanguageOptions { max_turns: 10_000, ..LanguageOptions::default() })
+    check_with(source, library, &LanguageOptions { max_steps: 10_000, ..LanguageOptions::default() })
 }
 
 /// Compares the report, and what the scene wrote, with the snapshot.

@@ -70,7 +70,8 @@ fn programs_are_named_by_ini_files_alone_and_may_be_forbidden() {
 #[test]
 fn programs_run_where_they_are_asked_for() {
     let desk = Desk::new();
-    desk.write("povray.ini", "Post_Scene_Command=touch done\n");
+    // The file that is read first, whatever the user's own says.
+    desk.write("empty.ini", "Post_Scene_Command=touch done\n");
     let answer = desk.povista("a.pov --size 8x8");
     assert!(!desk.path("done").exists(), "{}", answer.err);
     let answer = desk.povista("a.pov --size 8x8 --allow-shell");
@@ -132,7 +133,7 @@ fn a_scene_writes_nowhere_else() {
 #[cfg(unix)]
 fn what_is_no_ordinary_file_is_not_opened() {
     let desk = Desk::new();
-    assert!(Command::new("mkfifo").arg(desk.path("pipe")).status().unwrap().success());
+    assert!(std::process::Command::new("mkfifo").arg(desk.path("pipe")).status().unwrap().success());
     for text in [
         "#include \"/dev/zero\"",
         "#include \"pipe\"",

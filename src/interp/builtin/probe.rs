@@ -65,8 +65,8 @@ pub fn call(vm: &mut Vm, called: &Value, name: Symbol, span: Span) -> Result<Tup
             let mut value = [0.0; 5];
             let budget = Budget::default();
             let size = compiled.call_within(&numbers, &mut value, &budget);
-            vm.work(budget.spent() / TERMS_A_STEP, span)?;
             check_end(vm, &budget, name, span)?;
+            vm.work(budget.spent() / TERMS_A_STEP, span)?;
             Ok(Tuple::new(&value[..size]))
         }
         _ => Err(vm.expected("a number or vector")),
