@@ -85,7 +85,7 @@ impl Vm<'_> {
             format!("still not done after {all} steps")
         } else if idle <= most / 2 {
             return Ok(());
-        } else if !self.effort.marks.as_ref().is_some_and(|marks| marks.steps > self.effort.made) {
+        } else if self.effort.marks.as_ref().is_none_or(|marks| marks.steps <= self.effort.made) {
             self.mark_loops();
             return Ok(());
         } else if idle <= most {

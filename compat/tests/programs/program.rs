@@ -119,13 +119,13 @@ impl Writer {
 
     /// Gives something that is there another value.
     fn assign(&mut self) {
-        if (self.random.below(3) == 0)
+        if self.random.below(3) == 0
             && let Some(element) = self.make(|maker| maker.element(1))
         {
             let value = self.make(|maker| maker.arithmetic(2));
             return self.line(&format!("#declare {element} = {value};"));
         }
-        if (self.random.below(4) == 0) && !self.names.vectors.is_empty() {
+        if self.random.below(4) == 0 && !self.names.vectors.is_empty() {
             let name = self.names.vectors[self.random.below(self.names.vectors.len())].clone();
             let value = self.make(|maker| maker.vector(2));
             return self.line(&format!("#declare {name} = {value};"));
@@ -140,7 +140,7 @@ impl Writer {
 
     fn array(&mut self) {
         let name = self.name("T");
-        if (self.random.below(3) == 0) {
+        if self.random.below(3) == 0 {
             let sizes = [1 + self.random.below(3), 1 + self.random.below(3)];
             let row = |writer: &mut Self| {
                 let values: Vec<String> =
@@ -169,12 +169,12 @@ impl Writer {
         let other = self.make(|maker| maker.number());
         self.line(&format!("#if ({condition} {relation} {other})"));
         self.inner(depth);
-        if (self.random.below(3) == 0) {
+        if self.random.below(3) == 0 {
             let condition = self.condition();
             self.line(&format!("#elseif ({condition})"));
             self.inner(depth);
         }
-        if (self.random.below(2) == 0) {
+        if self.random.below(2) == 0 {
             self.line("#else");
             self.inner(depth);
         }
@@ -183,7 +183,7 @@ impl Writer {
 
     fn repeat(&mut self, depth: u32) {
         let index = self.name("I");
-        if (self.random.below(2) == 0) {
+        if self.random.below(2) == 0 {
             let head = self.random.one(&["1, 5", "0, 1, 0.25", "5, 1, -2", "3 1", "-1 1"]);
             self.line(&format!("#for ({index}, {head})"));
             self.names.floats.push(index);
@@ -192,7 +192,7 @@ impl Writer {
             self.line(&format!("#declare {index} = 0;\n#while ({index} < {last})"));
             self.line(&format!("#declare {index} = {index} + 1;"));
         }
-        if (self.random.below(4) == 0) {
+        if self.random.below(4) == 0 {
             let condition = self.condition();
             self.line(&format!("#if ({condition}) #break #end"));
         }
@@ -214,11 +214,11 @@ impl Writer {
                 _ => self.line(&format!("#case ({number})")),
             }
             self.inner(depth.saturating_sub(1));
-            if !(self.random.below(3) == 0) {
+            if self.random.below(3) > 0 {
                 self.line("#break");
             }
         }
-        if (self.random.below(2) == 0) {
+        if self.random.below(2) == 0 {
             self.line("#else");
             self.inner(depth.saturating_sub(1));
         }
@@ -274,7 +274,7 @@ impl Writer {
 
     fn function(&mut self) {
         let name = self.name("f");
-        if (self.random.below(4) == 0) {
+        if self.random.below(4) == 0 {
             let body = self.random.one(&[
                 "transform { rotate <10, 20, 30> scale <1, 2, 3> translate x }",
                 "pigment { gradient x color_map { [0 rgb <1, 2, 3>] [1 rgbft <3, 4, 5, 6, 7>] } }",
