@@ -56,16 +56,29 @@ impl Contrast {
         self.exponent.map_or(light, |exponent| light.max(0.0).powf(exponent))
     }
 
-    fn differ(&self, a: Sample, b: Sample) -> bool {
-        let colors: f32 = (0..3).map(|i| (self.perceived(a[i]) - self.perceived(b[i])).abs()).sum();
+    fn seen(&self, color: Sample) -> Seen {
+        let [r, g, b, transmit] = color;
+        Seen { color, perceived: [self.perceived(r), self.perceived(g), self.perceived(b), transmit] }
+    }
+
+    fn differ(&self, a: &Seen, b: &Seen) -> bool {
+        let (a, b) = (a.perceived, b.perceived);
+        let colors: f32 = (0..3).map(|i| (a[i] - b[i]).abs()).sum();
         colors + (a[3] - b[3]).abs() >= self.threshold
     }
+}
+
+/// A sample, and as it is compared with others: often, so that is worked out once.
+#[derive(Clone, Copy)]
+struct Seen {
+    color: Sample,
+    perceived: Sample,
 }
 
 /// A pixel of method 1.
 #[derive(Clone, Copy)]
 struct Pixel {
-    color: Sample,
+    seen: Seen,
     refined: bool,
 }
 
@@ -79,33 +92,33 @@ fn neighbours(
 ) -> Vec<Sample> {
     let (left, top) = (f64::from(block.columns.start), f64::from(block.rows.start));
     let width = block.columns.len();
+    let pixel = |color, refined| Pixel { seen: contrast.seen(color), refined };
     // Neighbours outside the block are sampled, compared with and never refined.
-    let mut above: Vec<Pixel> =
-        (0..width).map(|i| Pixel { color: sample(left + i as f64, top - 1.0), refined: true }).collect();
+    let mut above: Vec<Pixel> = (0..width).map(|i| pixel(sample(left + i as f64, top - 1.0), true)).collect();
     let mut pixels = Vec::with_capacity(width * block.rows.len());
     for row in 0..block.rows.len() {
         let y = top + row as f64;
-        let mut before = Pixel { color: sample(left - 1.0, y), refined: true };
+        let mut before = pixel(sample(left - 1.0, y), true);
         for column in 0..width {
             let x = left + column as f64;
-            let mut here = Pixel { color: sample(x, y), refined: false };
-            let unlike_left = contrast.differ(here.color, before.color);
-            let unlike_top = contrast.differ(here.color, above[column].color);
+            let mut here = pixel(sample(x, y), false);
+            let unlike_left = contrast.differ(&here.seen, &before.seen);
+            let unlike_top = contrast.differ(&here.seen, &above[column].seen);
             if unlike_left && !before.refined {
-                before = refine(before, x - 1.0, y, antialias, sample);
+                before = pixel(refine(before.seen.color, x - 1.0, y, antialias, sample), true);
                 above[column - 1] = before;
             }
             if unlike_top && !above[column].refined {
-                let refined = refine(above[column], x, y - 1.0, antialias, sample);
-                pixels[(row - 1) * width + column] = refined.color;
+                let refined = refine(above[column].seen.color, x, y - 1.0, antialias, sample);
+                pixels[(row - 1) * width + column] = refined;
             }
             if unlike_left || unlike_top {
-                here = refine(here, x, y, antialias, sample);
+                here = pixel(refine(here.seen.color, x, y, antialias, sample), true);
             }
             if column > 0 {
-                pixels[row * width + column - 1] = before.color;
+                pixels[row * width + column - 1] = before.seen.color;
             }
-            pixels.push(here.color);
+            pixels.push(here.seen.color);
             above[column] = here;
             before = here;
         }
@@ -115,16 +128,16 @@ fn neighbours(
 
 /// The mean of a pixel's centre and a grid of samples.
 fn refine(
-    pixel: Pixel,
+    center: Sample,
     x: f64,
     y: f64,
     antialias: &Antialias,
     sample: &mut dyn FnMut(f64, f64) -> Sample,
-) -> Pixel {
+) -> Sample {
     let depth = antialias.depth;
     let offset = |index: u32| (f64::from(index) + 0.5) / f64::from(depth) - 0.5;
     let spread = f64::from(antialias.jitter) / f64::from(depth);
-    let mut sum = pixel.color;
+    let mut sum = center;
     for (b, a) in (0..depth).flat_map(|b| (0..depth).map(move |a| (b, a))) {
         let (px, py) = (x + offset(a), y + offset(b));
         let moved = if spread > 0.0 { jitter(px, py) * spread } else { Default::default() };
@@ -132,7 +145,7 @@ fn refine(
         sum = std::array::from_fn(|i| sum[i] + color[i]);
     }
     let count = (depth * depth + 1) as f32;
-    Pixel { color: sum.map(|component| component / count), refined: true }
+    sum.map(|component| component / count)
 }
 
 /// Method 2: a square whose corners differ is split into quadrants.
@@ -144,9 +157,9 @@ fn adaptive(
 ) -> Vec<Sample> {
     let (left, top) = (f64::from(block.columns.start), f64::from(block.rows.start));
     let (width, height) = (block.columns.len(), block.rows.len());
-    let corners: Vec<Sample> = (0..=height)
+    let corners: Vec<Seen> = (0..=height)
         .flat_map(|row| (0..=width).map(move |column| (column, row)))
-        .map(|(column, row)| sample(left + column as f64 - 0.5, top + row as f64 - 0.5))
+        .map(|(column, row)| contrast.seen(sample(left + column as f64 - 0.5, top + row as f64 - 0.5)))
         .collect();
     let steps = 1u32 << antialias.depth;
     let mut grid = Grid {
@@ -178,7 +191,7 @@ struct Grid<'a> {
     /// Image coordinates of the pixel's upper left corner.
     corner: (f64, f64),
     /// Places sampled before.
-    known: FxHashMap<(u32, u32), Sample>,
+    known: FxHashMap<(u32, u32), Seen>,
     sample: &'a mut dyn FnMut(f64, f64) -> Sample,
 }
 
@@ -192,12 +205,12 @@ struct Square {
 
 impl Grid<'_> {
     /// The colour of a square with the corners upper left, lower left, upper right, lower right.
-    fn value(&mut self, square: Square, corners: [Sample; 4], level: u32) -> Sample {
+    fn value(&mut self, square: Square, corners: [Seen; 4], level: u32) -> Sample {
         let [upper_left, lower_left, upper_right, lower_right] = corners;
-        let unlike = |a: usize, b: usize| self.contrast.differ(corners[a], corners[b]);
+        let unlike = |a: usize, b: usize| self.contrast.differ(&corners[a], &corners[b]);
         let differs = (0..4).any(|a| (a + 1..4).any(|b| unlike(a, b)));
         if level == 0 || !differs {
-            return mean(corners);
+            return mean(corners.map(|corner| corner.color));
         }
         let (x, y, half) = (square.x, square.y, square.edge / 2);
         let left = self.at(x, y + half);
@@ -214,16 +227,16 @@ impl Grid<'_> {
         ])
     }
 
-    fn at(&mut self, x: u32, y: u32) -> Sample {
+    fn at(&mut self, x: u32, y: u32) -> Seen {
         if let Some(&known) = self.known.get(&(x, y)) {
             return known;
         }
         let place = |corner: f64, index: u32| corner + f64::from(index) / f64::from(self.steps);
         let (px, py) = (place(self.corner.0, x), place(self.corner.1, y));
         let moved = if self.spread > 0.0 { jitter(px, py) * self.spread } else { Default::default() };
-        let color = (self.sample)(px + moved.x, py + moved.y);
-        self.known.insert((x, y), color);
-        color
+        let seen = self.contrast.seen((self.sample)(px + moved.x, py + moved.y));
+        self.known.insert((x, y), seen);
+        seen
     }
 }
 

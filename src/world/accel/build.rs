@@ -8,8 +8,11 @@ use smallvec::SmallVec;
 use super::bvh::{Node, WIDTH};
 use crate::math::{Bounds, DVec3};
 
-/// Centres are sorted into this many slices along each axis.
+/// Centres of many items are sorted into this many slices along each axis.
 const BINS: usize = 16;
+
+/// Centres of few items into as many slices as they are, but no fewer than this.
+const FEWEST_BINS: usize = 4;
 
 /// Below this depth parts are halved by count, which bounds the depth of the tree.
 const DEPTH_OF_HEURISTIC: u32 = 24;
@@ -161,12 +164,14 @@ struct Cut {
     axis: usize,
     origin: f64,
     scale: f64,
+    /// The number of the last slice.
+    last: usize,
     bin: usize,
 }
 
 impl Cut {
     fn bin(&self, center: DVec3) -> usize {
-        (((center[self.axis] - self.origin) * self.scale) as usize).min(BINS - 1)
+        (((center[self.axis] - self.origin) * self.scale) as usize).min(self.last)
     }
 }
 
@@ -174,13 +179,15 @@ impl Cut {
 fn best_cut(items: &[Item], centers: Bounds) -> Option<Cut> {
     let mut best = None;
     let mut least = f64::INFINITY;
+    let count = items.len().clamp(FEWEST_BINS, BINS);
     for axis in 0..3 {
-        let scale = BINS as f64 / centers.size()[axis];
+        let scale = count as f64 / centers.size()[axis];
         if !scale.is_finite() {
             continue;
         }
-        let cut = Cut { axis, origin: centers.min[axis], scale, bin: 0 };
+        let cut = Cut { axis, origin: centers.min[axis], scale, last: count - 1, bin: 0 };
         let mut bins = [(0usize, Bounds::EMPTY); BINS];
+        let bins = &mut bins[..count];
         for item in items {
             let (count, bounds) = &mut bins[cut.bin(item.center)];
             *count += 1;
@@ -189,7 +196,7 @@ fn best_cut(items: &[Item], centers: Bounds) -> Option<Cut> {
         // The cost of everything to the right of each cut, then of everything to the left.
         let mut right = [0.0; BINS];
         sweep(bins.iter().copied().enumerate().rev(), |bin, cost| right[bin] = cost);
-        sweep(bins.iter().copied().enumerate().take(BINS - 1), |bin, left| {
+        sweep(bins.iter().copied().enumerate().take(count - 1), |bin, left| {
             let cost = left + right[bin + 1];
             // A side without items has no cost of its own and is no cut.
             if left > 0.0 && right[bin + 1] > 0.0 && cost < least {

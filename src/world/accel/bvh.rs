@@ -49,7 +49,7 @@ pub struct Bvh {
 }
 
 /// One number of each child of a node, side by side.
-type Lanes = [Vec4; WIDTH / 4];
+type Lanes = [f32; WIDTH];
 
 /// Eight boxes side by side; missing children have empty ones.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +63,7 @@ pub(super) struct Node {
 impl Node {
     /// No children yet.
     pub(super) const EMPTY: Self = {
-        let (low, high) = ([Vec4::INFINITY; 2], [Vec4::NEG_INFINITY; 2]);
+        let (low, high) = ([f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]);
         Self { faces: [low, low, low, high, high, high], children: [u32::MAX; WIDTH] }
     };
 
@@ -115,8 +115,8 @@ impl Bvh {
                 build::Child::Run { first, length } => LEAF | (length - 1) << LENGTH | first,
             };
             for axis in 0..3 {
-                node.faces[axis][lane / 4][lane % 4] = rounded_down(low[axis]);
-                node.faces[axis + 3][lane / 4][lane % 4] = rounded_up(high[axis]);
+                node.faces[axis][lane] = rounded_down(low[axis]);
+                node.faces[axis + 3][lane] = rounded_up(high[axis]);
             }
         }
         node
@@ -218,7 +218,7 @@ impl Bvh {
         }
         let hull = hull.mapped(|point| self.inner(point));
         let touched = |node: &Node| {
-            let place = |face: usize, lane: usize| f64::from(node.faces[face][lane / 4][lane % 4]);
+            let place = |face: usize, lane: usize| f64::from(node.faces[face][lane]);
             let corner =
                 |face, lane| DVec3::new(place(face, lane), place(face + 1, lane), place(face + 2, lane));
             let is_touched = |lane: usize| {
@@ -242,7 +242,7 @@ impl Bvh {
         let around = |node: &Node| {
             (0..3).fold(!0, |around, axis| {
                 let (first, last) = (&node.faces[axis], &node.faces[axis + 3]);
-                around & mask(|half| first[half].cmple(high[axis]) & last[half].cmpge(low[axis]))
+                around & mask(|half| four(first, half).cmple(high[axis]) & four(last, half).cmpge(low[axis]))
             })
         };
         self.any_below(around, test)
@@ -312,6 +312,12 @@ impl Waiting {
     }
 }
 
+/// The lower or the upper half.
+#[inline(always)]
+fn four(lanes: &Lanes, half: usize) -> Vec4 {
+    Vec4::from_slice(&lanes[4 * half..])
+}
+
 /// The bits of the lanes that pass, four at a time.
 #[inline(always)]
 fn mask(pass: impl Fn(usize) -> BVec4A) -> u32 {
@@ -349,28 +355,25 @@ impl Probe {
 
     /// Entry distances, none negative, and the bits of the boxes met before `far`.
     #[inline(always)]
-    fn test(&self, node: &Node, far: f32) -> ([f32; WIDTH], u32) {
-        let (mut entry, mut exit) = ([Vec4::ZERO; 2], [Vec4::splat(far); 2]);
+    fn test(&self, node: &Node, far: f32) -> (Lanes, u32) {
+        let (mut entry, mut exit) = ([0.0; WIDTH], [far; WIDTH]);
         for axis in 0..3 {
             let (low, high) = (&node.faces[axis], &node.faces[axis + 3]);
             let (first, last) = if self.backward[axis] { (high, low) } else { (low, high) };
-            let (start, end) = (Vec4::splat(self.near[axis]), Vec4::splat(self.far[axis]));
-            let inverse = Vec4::splat(self.inverse[axis]);
-            for half in 0..2 {
-                entry[half] = entry[half].max((first[half] - start) * inverse);
-                exit[half] = exit[half].min((last[half] - end) * inverse);
+            let (start, end, inverse) = (self.near[axis], self.far[axis], self.inverse[axis]);
+            for lane in 0..WIDTH {
+                let (near, far) = ((first[lane] - start) * inverse, (last[lane] - end) * inverse);
+                entry[lane] = if near > entry[lane] { near } else { entry[lane] };
+                exit[lane] = if far < exit[lane] { far } else { exit[lane] };
             }
         }
-        let mut distances = [0.0; WIDTH];
-        let mut met = 0;
-        for half in 0..2 {
-            let entry = entry[half] * (1.0 - SLACK);
-            met |= entry.cmple(exit[half] * (1.0 + SLACK)).bitmask() << (4 * half);
-            for (lane, distance) in entry.to_array().into_iter().enumerate() {
-                distances[4 * half + lane] = distance;
-            }
+        for lane in 0..WIDTH {
+            entry[lane] *= 1.0 - SLACK;
+            exit[lane] *= 1.0 + SLACK;
         }
-        (distances, met)
+        let met = four(&entry, 0).cmple(four(&exit, 0)).bitmask()
+            | four(&entry, 1).cmple(four(&exit, 1)).bitmask() << 4;
+        (entry, met)
     }
 }
 

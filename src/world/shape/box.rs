@@ -18,26 +18,36 @@ impl Cuboid {
     /// Where faces meet, the one that faces the ray most gives the part, as in POV-Ray.
     #[inline]
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
-        let mut all = Stretch::LINE;
-        let (mut enter_slope, mut leave_slope) = (0.0, 0.0);
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
         let (min, max) = (self.min.to_array(), self.max.to_array());
+        let (mut near, mut far) = ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]);
         for axis in 0..3 {
-            let part = 2 * axis as u32;
-            let slope = direction[axis].abs();
-            let slab =
-                Stretch::slab((min[axis], part), (max[axis], part + 1), origin[axis], direction[axis])?;
-            if slope == 0.0 {
-                continue;
-            }
-            if takes_over(slab.enter.t, all.enter.t, 1.0, slope > enter_slope) {
-                (all.enter, enter_slope) = (slab.enter, slope);
-            }
-            if takes_over(slab.leave.t, all.leave.t, -1.0, slope > leave_slope) {
-                (all.leave, leave_slope) = (slab.leave, slope);
+            let (o, d) = (origin[axis], direction[axis]);
+            let between = if d == 0.0 {
+                min[axis] <= o && o <= max[axis]
+            } else {
+                let (first, last) = if d > 0.0 { (min[axis], max[axis]) } else { (max[axis], min[axis]) };
+                near[axis] = (first - o) / d;
+                far[axis] = (last - o) / d;
+                near[axis] <= far[axis]
+            };
+            if !between {
+                return None;
             }
         }
-        (all.enter.t <= all.leave.t).then_some(all)
+        let (mut enter, mut leave) = (0, 0);
+        for axis in 1..3 {
+            let steeper = |other: usize| direction[axis].abs() > direction[other].abs();
+            if takes_over(near[axis], near[enter], 1.0, steeper(enter)) {
+                enter = axis;
+            }
+            if takes_over(far[axis], far[leave], -1.0, steeper(leave)) {
+                leave = axis;
+            }
+        }
+        let part = |axis: usize, high: bool| 2 * axis as u32 + u32::from(high);
+        let (enters_high, leaves_high) = (direction[enter] < 0.0, direction[leave] > 0.0);
+        Stretch::new(near[enter], part(enter, enters_high), far[leave], part(leave, leaves_high))
     }
 }
 

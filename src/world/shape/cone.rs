@@ -4,6 +4,7 @@ use super::cylinder::{BASE, CAP, SIDE, between_ends, border, keep_side};
 use super::stretch::{End, Stretch};
 use super::{Crossing, Shape};
 use crate::math::roots::{self, difference_of_products};
+use crate::math::wide::widest;
 use crate::math::{Bounds, DVec3};
 use crate::world::{Range, Ray};
 
@@ -30,6 +31,7 @@ impl Cone {
     }
 
     /// The stretches inside the endless double cone.
+    #[inline(always)]
     fn between_sides(&self, ray: &Ray) -> [Option<Stretch>; 2] {
         let (f, d) = (
             ray.origin.with_z(self.radius(ray.origin.z)),
@@ -63,6 +65,15 @@ impl Cone {
 
     /// The stretches inside, in order.
     fn stretches(&self, ray: &Ray) -> [Option<Stretch>; 2] {
+        // Fused multiplications are calls elsewhere.
+        widest(
+            #[inline(always)]
+            || self.find(ray),
+        )
+    }
+
+    #[inline(always)]
+    fn find(&self, ray: &Ray) -> [Option<Stretch>; 2] {
         let (shift, ray) = ray.moved_to(DVec3::new(0.0, 0.0, 0.5));
         let Some(ends) = between_ends(&ray) else {
             return [None, None];
