@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::Unsupported;
 use super::texture::TextureCompiler;
+use crate::math::hyperbolic;
 use crate::scene;
 use crate::scene::function::{BinaryOp, Builtin, Expr};
 use crate::world::function::tape::{Code, Op, Register};
@@ -172,8 +173,8 @@ impl<'w, 'a> Writer<'w, 'a> {
                         BinaryOp::Divide => (Code::Divide, sum, right),
                         BinaryOp::Less => (Code::Less, sum, right),
                         BinaryOp::LessEqual => (Code::LessEqual, sum, right),
-                        BinaryOp::Greater => (Code::Less, right, sum),
-                        BinaryOp::GreaterEqual => (Code::LessEqual, right, sum),
+                        BinaryOp::Greater => (Code::Greater, sum, right),
+                        BinaryOp::GreaterEqual => (Code::GreaterEqual, sum, right),
                         BinaryOp::Equal => (Code::Equal, sum, right),
                         BinaryOp::NotEqual => (Code::NotEqual, sum, right),
                         BinaryOp::And => (Code::And, sum, right),
@@ -347,15 +348,15 @@ fn one_argument(builtin: Builtin) -> Code {
         Builtin::Abs => f64::abs,
         Builtin::Acos => f64::acos,
         // The C library's has the sign bit of its NaN set.
-        Builtin::Acosh => |v| if v < 1.0 { -f64::NAN } else { v.acosh() },
+        Builtin::Acosh => |v| if v < 1.0 { -f64::NAN } else { hyperbolic::acosh(v) },
         Builtin::Asin => f64::asin,
-        Builtin::Asinh => f64::asinh,
+        Builtin::Asinh => hyperbolic::asinh,
         Builtin::Atan => f64::atan,
-        Builtin::Atanh => f64::atanh,
+        Builtin::Atanh => hyperbolic::atanh,
         Builtin::Ceil => f64::ceil,
         Builtin::Cos => f64::cos,
         Builtin::Cosh => f64::cosh,
-        Builtin::Degrees => |v| v / (PI / 180.0),
+        Builtin::Degrees => |v| v * (180.0 / PI),
         Builtin::Exp => f64::exp,
         Builtin::Floor => f64::floor,
         Builtin::Int => truncate,

@@ -4,6 +4,7 @@ pub mod bounds;
 pub mod color;
 pub mod confidence;
 pub mod gamma;
+pub mod hyperbolic;
 pub mod noise;
 pub mod roots;
 pub mod spline;

@@ -6,6 +6,7 @@ use crate::interp::stream::TokenKind;
 use crate::interp::tuple::{to_int, truth};
 use crate::interp::value::Value;
 use crate::interp::{Result, Vm, Word, tuple::Tuple};
+use crate::math::hyperbolic;
 use crate::source::Span;
 use crate::syntax::Punct;
 
@@ -60,9 +61,9 @@ pub fn pure(word: Word) -> Option<Pure> {
         Word::Sinh => Pure::One(f64::sinh),
         Word::Cosh => Pure::One(f64::cosh),
         Word::Tanh => Pure::One(f64::tanh),
-        Word::Asinh => Pure::One(f64::asinh),
-        Word::Acosh => Pure::One(f64::acosh),
-        Word::Atanh => Pure::One(f64::atanh),
+        Word::Asinh => Pure::One(hyperbolic::asinh),
+        Word::Acosh => Pure::One(hyperbolic::acosh),
+        Word::Atanh => Pure::One(hyperbolic::atanh),
         Word::Atan => Pure::One(f64::atan),
         Word::Exp => Pure::One(f64::exp),
         Word::Ceil => Pure::One(f64::ceil),

@@ -31,7 +31,7 @@ pub fn call(vm: &mut Vm, word: Word, span: Span) -> Result<Tuple> {
                 }
                 v
             } else {
-                v / v.length()
+                v * (1.0 / v.length())
             }
         }
         Word::Vrotate => {

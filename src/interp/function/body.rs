@@ -62,8 +62,9 @@ fn compute(op: BinaryOp, a: f64, b: f64) -> f64 {
         BinaryOp::Divide => a / b,
         BinaryOp::Less => number(a < b),
         BinaryOp::LessEqual => number(a <= b),
-        BinaryOp::Greater => number(a > b),
-        BinaryOp::GreaterEqual => number(a >= b),
+        // What is no number is greater.
+        BinaryOp::Greater => number(a > b || a.is_nan() || b.is_nan()),
+        BinaryOp::GreaterEqual => number(a >= b || a.is_nan() || b.is_nan()),
         BinaryOp::Equal => number(a == b),
         BinaryOp::NotEqual => number(a != b),
         BinaryOp::And => number(a != 0.0 && b != 0.0),

@@ -31,6 +31,10 @@ pub enum Code {
     Divide,
     Less,
     LessEqual,
+    /// Not at most: what is no number is.
+    Greater,
+    /// Not less.
+    GreaterEqual,
     Equal,
     NotEqual,
     And,
@@ -119,12 +123,26 @@ impl Tape {
                 Code::Divide => a / b,
                 Code::Less => truth(a < b),
                 Code::LessEqual => truth(a <= b),
+                Code::Greater => truth(a > b || is_no_number(a, b)),
+                Code::GreaterEqual => truth(a >= b || is_no_number(a, b)),
                 Code::Equal => truth(a == b),
                 Code::NotEqual => truth(a != b),
                 Code::And => truth(a != 0.0 && b != 0.0),
                 Code::Or => truth(a != 0.0 || b != 0.0),
-                Code::Min => a.min(b),
-                Code::Max => a.max(b),
+                Code::Min => {
+                    if a < b {
+                        a
+                    } else {
+                        b
+                    }
+                }
+                Code::Max => {
+                    if a < b {
+                        b
+                    } else {
+                        a
+                    }
+                }
                 Code::Negate => -a,
                 Code::Unary(function) => function(a),
                 Code::Binary(function) => function(a, b),
@@ -167,6 +185,10 @@ impl Tape {
         }
         r[usize::from(self.result)]
     }
+}
+
+fn is_no_number(a: f64, b: f64) -> bool {
+    a.is_nan() || b.is_nan()
 }
 
 fn truth(holds: bool) -> f64 {
