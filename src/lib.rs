@@ -39,8 +39,8 @@
 //!
 //! # Rules that keep it simple
 //!
-//! - A module imports only from those before it in this order: `math · source · diag · options · syntax · scene ·
-//!   world · compile · interp · render · cli`. `tests/layers.rs` checks it, and the length of files.
+//! - A module imports only from those before it in this order: `math · source · diag · options · syntax · fmt ·
+//!   scene · world · compile · interp · reference · index · lint · lsp · render · cli`. `tests/layers.rs` checks it, and the length of files.
 //! - A thing is in the file named after the word a user types: `world/shape/torus.rs`, `interp/statement/fog.rs`.
 //! - Adding a primitive touches its file under `world/shape`, a variant in `scene/shape.rs`, an arm in
 //!   `compile/shape.rs` and a reader under `interp/statement`. Patterns, lights and cameras alike.
@@ -63,9 +63,14 @@
 pub mod cli;
 pub mod compile;
 pub mod diag;
+pub mod fmt;
+pub mod index;
 pub mod interp;
+pub mod lint;
+pub mod lsp;
 pub mod math;
 pub mod options;
+pub mod reference;
 pub mod render;
 pub mod scene;
 pub mod source;

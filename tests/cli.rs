@@ -1,5 +1,7 @@
 //! The program as a user meets it: words in, exit codes, files and text out.
 
+#[path = "cli/lint.rs"]
+mod lint;
 #[path = "cli/native.rs"]
 mod native;
 #[path = "cli/povray.rs"]

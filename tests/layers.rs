@@ -6,8 +6,24 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules of the library: each imports only from those before it.
-const ORDER: [&str; 11] =
-    ["math", "source", "diag", "options", "syntax", "scene", "world", "compile", "interp", "render", "cli"];
+const ORDER: [&str; 16] = [
+    "math",
+    "source",
+    "diag",
+    "options",
+    "syntax",
+    "fmt",
+    "scene",
+    "world",
+    "compile",
+    "interp",
+    "reference",
+    "index",
+    "lint",
+    "lsp",
+    "render",
+    "cli",
+];
 
 /// Imports the order would allow, but the design doesn't: the compiled scene knows nothing of the
 /// description it was made from.

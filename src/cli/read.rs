@@ -30,7 +30,10 @@ pub(super) fn scene(
 }
 
 /// Opens the file of a job's scene.
-fn open(job: &Job) -> Result<(FileId, Sources), Problem> {
+///
+/// # Errors
+/// There is no such file.
+pub(super) fn open(job: &Job) -> Result<(FileId, Sources), Problem> {
     let permissions = job.permissions.clone();
     if job.input == STDIN {
         let mut bytes = Vec::new();

@@ -5,10 +5,14 @@
 //! - Nothing here prints. [`graphical`], [`plain`], [`json`] and [`line()`] turn a diagnostic into
 //!   text; a [`Sink`] takes diagnostics and the scene's own messages as they come.
 
+mod code;
 mod render;
+mod sarif;
 mod sink;
 
+pub use code::Code;
 pub use render::{graphical, json, line, plain};
+pub use sarif::{sarif, uri};
 pub use sink::{Collect, Sink, Stream};
 
 use crate::source::Span;
@@ -47,6 +51,8 @@ pub struct Step {
 pub struct Diagnostic {
     /// How bad it is.
     pub severity: Severity,
+    /// What it is about.
+    pub code: Code,
     /// What is wrong: lower case, no full stop, the thing in backticks.
     pub message: String,
     /// Where; `None` when it concerns the scene as a whole.
@@ -66,6 +72,7 @@ impl Diagnostic {
     pub fn new(severity: Severity, span: impl Into<Option<Span>>, message: impl Into<String>) -> Diagnostic {
         Diagnostic {
             severity,
+            code: Code::of(severity),
             message: message.into(),
             span: span.into(),
             label: String::new(),
@@ -73,6 +80,12 @@ impl Diagnostic {
             help: None,
             trace: Vec::new(),
         }
+    }
+
+    /// Says what it is about.
+    pub fn code(mut self, code: Code) -> Diagnostic {
+        self.code = code;
+        self
     }
 
     /// Says what is to be seen at the place itself.

@@ -58,6 +58,7 @@ pub fn json(diagnostic: &Diagnostic, sources: &Sources) -> String {
     let noted = |text: &str, span: Span| serde_json::json!({ "text": text, "at": place(span) });
     serde_json::json!({
         "severity": name(diagnostic.severity),
+        "code": diagnostic.code.to_string(),
         "message": diagnostic.message,
         "at": diagnostic.span.map(place),
         "label": diagnostic.label,

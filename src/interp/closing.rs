@@ -69,15 +69,10 @@ impl Vm<'_> {
     }
 
     fn remark_version(&mut self) {
-        let help = "start it with `#version 3.7;`, or what it was written for";
         if !self.version_written {
-            self.remark(
-                Severity::Warning,
-                "the scene does not say which version of the language it is in",
-                help,
-            );
+            self.remark_missing_version("the scene does not say which version of the language it is in");
         } else if self.version_late {
-            self.remark(Severity::Warning, "`#version` is not the first thing in the scene", help);
+            self.remark_missing_version("`#version` is not the first thing in the scene");
         }
         if self.version_written && self.version < 350 {
             let version = f64::from(self.version) / 100.0;

@@ -1,7 +1,7 @@
 //! Errors on their way from where they are found to where reading goes on.
 
 use super::Vm;
-use crate::diag::{Diagnostic, Severity, Step};
+use crate::diag::{Code, Diagnostic, Severity, Step};
 use crate::source::Span;
 
 /// Why reading a statement stopped: an error, or one that was reported before.
@@ -77,8 +77,33 @@ impl Vm<'_> {
         self.say(Severity::Possible, span, message.into(), help);
     }
 
+    /// Warns about an old spelling, or about a name its author wants to be rid of.
+    pub fn deprecated(&mut self, span: Span, message: impl Into<String>, help: &str) {
+        self.say_as(Code::Deprecated, Severity::Warning, span, message.into(), help);
+    }
+
+    /// Warns about a `;` that is missing, but not needed in the scene's version of the language.
+    pub(super) fn missing_semicolon(&mut self, message: &str) {
+        self.say_as(
+            Code::MissingSemicolon,
+            Severity::Possible,
+            self.last.after(),
+            message.into(),
+            "add a `;` here",
+        );
+    }
+
     fn say(&mut self, severity: Severity, span: Span, message: String, help: &str) {
-        let mut diagnostic = Diagnostic::new(severity, span, message);
+        let diagnostic = Diagnostic::new(severity, span, message);
+        self.say_diagnostic(diagnostic, help);
+    }
+
+    fn say_as(&mut self, code: Code, severity: Severity, span: Span, message: String, help: &str) {
+        let diagnostic = Diagnostic::new(severity, span, message).code(code);
+        self.say_diagnostic(diagnostic, help);
+    }
+
+    fn say_diagnostic(&mut self, mut diagnostic: Diagnostic, help: &str) {
         diagnostic.help = (!help.is_empty()).then(|| help.to_owned());
         diagnostic.trace = self.trace();
         self.report(diagnostic);

@@ -54,6 +54,7 @@ mod function;
 pub mod limits;
 mod macros;
 mod memory;
+pub mod notes;
 mod program;
 mod read;
 mod recover;
@@ -72,7 +73,7 @@ pub use stream::{Token, TokenKind};
 pub use value::Value;
 pub use word::Word;
 
-use crate::diag::{Diagnostic, Severity, Sink};
+use crate::diag::{self, Diagnostic, Severity, Sink};
 use crate::math::gamma::Gamma;
 use crate::options::{Declared, LanguageOptions};
 use crate::scene::Scene;
@@ -114,6 +115,8 @@ pub struct Vm<'a> {
     /// Objects and functions that expressions have asked about.
     compiled: builtin::probe::Compiled,
     sink: &'a mut dyn Sink,
+    /// What names held, if anybody wants to know.
+    notes: Option<notes::Notes>,
     symbols: Symbols,
     trees: FxHashMap<FileId, Rc<Code>>,
     frame: stream::Frame,
@@ -185,6 +188,23 @@ pub fn interpret(
     })
 }
 
+/// Reads a scene and notes what its names held. What is noted is right even if the scene has errors.
+pub fn interpret_noting(
+    main: FileId,
+    sources: &mut Sources,
+    options: &LanguageOptions,
+    sink: &mut dyn Sink,
+) -> (Option<Scene>, notes::Notes) {
+    sources.library.paths.extend(options.library_paths.iter().cloned());
+    stacker::grow(limits::STACK, || {
+        let mut vm = Vm::new(main, sources, options, sink);
+        vm.notes = Some(notes::Notes::default());
+        vm.run_scene();
+        let notes = vm.notes.take().unwrap_or_default();
+        (if vm.failed { None } else { statement::finish(vm) }, notes)
+    })
+}
+
 impl<'a> Vm<'a> {
     fn new(
         main: FileId,
@@ -206,6 +226,7 @@ impl<'a> Vm<'a> {
             last,
             compiled: builtin::probe::Compiled::default(),
             sink,
+            notes: None,
             symbols,
             trees: FxHashMap::default(),
             frame,
@@ -347,7 +368,7 @@ impl<'a> Vm<'a> {
         match word {
             Word::Declare if self.version >= 350 => self.possible(span, message, "write a `#` before it"),
             Word::Include | Word::Version if self.version >= 350 => {
-                self.warn(span, message, "write a `#` before it");
+                self.deprecated(span, message, "write a `#` before it");
             }
             _ => {}
         }
@@ -407,5 +428,13 @@ impl<'a> Vm<'a> {
     /// Notes that something concerns the scene as a whole.
     pub fn remark(&mut self, severity: Severity, message: &str, help: &str) {
         self.report(Diagnostic::new(severity, None, message).help(help));
+    }
+
+    /// Notes that the scene does not say which version it is in, where it should.
+    fn remark_missing_version(&mut self, message: &str) {
+        let help = "start it with `#version 3.7;`, or what it was written for";
+        self.report(
+            Diagnostic::new(Severity::Warning, None, message).code(diag::Code::MissingVersion).help(help),
+        );
     }
 }

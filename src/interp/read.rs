@@ -368,7 +368,7 @@ impl Vm<'_> {
     pub(super) fn note_use(&mut self, symbol: Symbol, span: Span) {
         if let Some(message) = self.scopes.deprecation(symbol) {
             let text = message.to_string();
-            self.warn(span, text, "");
+            self.deprecated(span, text, "");
         }
     }
 }

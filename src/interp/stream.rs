@@ -221,6 +221,7 @@ impl Vm<'_> {
                 return Ok(false);
             }
         }
+        self.note_place(span);
         Ok(true)
     }
 
@@ -268,7 +269,9 @@ impl Vm<'_> {
     /// Whether what is read now may be read again: in a loop, or in a macro.
     #[inline]
     pub(super) fn is_repeating(&self) -> bool {
-        self.loops > 0 || self.frame.entered.is_some_and(|entered| entered.name.is_some())
+        // A compiled expression doesn't look at names one by one, so none are made where that is to be noted.
+        self.notes.is_none()
+            && (self.loops > 0 || self.frame.entered.is_some_and(|entered| entered.name.is_some()))
     }
 
     /// The place just after the last token of the scene.

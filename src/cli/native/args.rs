@@ -4,12 +4,15 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
+use crate::diag::Code;
+
 /// Below `--help`.
 const EXAMPLES: &str = "\
 Examples:
   povista scenes/showcase.pov                 renders scenes/showcase.png
   povista scene.pov -o big.png --size 1920x1080 --aa 0.1
   povista check scene.pov                     says what is wrong with a scene
+  povista fmt scene.pov                       indents it, and changes nothing else
   povista compare scene.pov                   renders with POV-Ray too and shows the difference
 
 POV-Ray's own switches, options and INI files work as they do there:
@@ -37,12 +40,16 @@ pub(super) enum Command {
     Render(Render),
     /// Read a scene and say what is wrong with it, without rendering
     Check(Check),
+    /// Lay out scenes neatly, without changing what they mean
+    Fmt(Fmt),
     /// Show what povista understood of a scene
     Dump(Scene),
     /// Tell how far two pictures are apart
     Diff(Diff),
     /// Render a scene with POV-Ray too, and show both pictures, the difference and the times
     Compare(Compare),
+    /// Answer an editor over the language server protocol, on standard input and output
+    Lsp(Lsp),
     /// Print what a shell needs to complete povista's commands
     Completions {
         /// The shell
@@ -149,6 +156,62 @@ pub(super) struct Check {
     /// How to tell
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     pub(super) format: Telling,
+    #[command(flatten)]
+    pub(super) levels: Levels,
+}
+
+/// How seriously findings are taken. A code by its name goes before `all`.
+#[derive(Debug, Args)]
+pub(super) struct Levels {
+    /// Don't tell findings of this code, such as `unused`; `all` is every warning
+    #[arg(long, value_name = "CODE", value_parser = code)]
+    pub(super) allow: Vec<Finding>,
+    /// Tell findings of this code as warnings, as is done unless said otherwise
+    #[arg(long, value_name = "CODE", value_parser = code)]
+    pub(super) warn: Vec<Finding>,
+    /// Tell findings of this code as errors
+    #[arg(long, value_name = "CODE", value_parser = code)]
+    pub(super) deny: Vec<Finding>,
+}
+
+/// Whose level is chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Finding {
+    /// Every warning.
+    All,
+    /// Those with this code.
+    Of(Code),
+}
+
+/// What to lay out.
+#[derive(Debug, Args)]
+pub(super) struct Fmt {
+    /// The scenes and include files; `-` is standard input, laid out on standard output
+    #[arg(value_name = "FILE", required = true, value_hint = ValueHint::FilePath)]
+    pub(super) files: Vec<String>,
+    /// Change nothing; name the files that are not laid out, and fail if there are any
+    #[arg(long)]
+    pub(super) check: bool,
+    /// Change nothing; write the laid out text to standard output
+    #[arg(long, conflicts_with = "check")]
+    pub(super) stdout: bool,
+}
+
+/// What scenes see that an editor has open.
+#[derive(Debug, Args)]
+pub(super) struct Lsp {
+    /// Search a folder for included files, images and fonts
+    #[arg(short = 'L', long = "library", value_name = "FOLDER", value_hint = ValueHint::DirPath)]
+    pub(super) library: Vec<String>,
+    /// Stop a scene whose loops turn more often than this without making anything, or ten times as often in all
+    #[arg(long, value_name = "COUNT", default_value_t = 1_000_000)]
+    pub(super) max_turns: u64,
+    /// Stop a scene that takes more memory than this while it is read
+    #[arg(long, value_name = "MEGABYTES", default_value_t = 1024)]
+    pub(super) max_memory: u64,
+    /// Talk on standard input and output, which is done anyway: editors say so
+    #[arg(long, hide = true)]
+    pub(super) stdio: bool,
 }
 
 /// What to compare.
@@ -198,6 +261,8 @@ pub(super) enum Telling {
     Plain,
     /// One JSON object to a line
     Json,
+    /// A SARIF 2.1.0 log, for editors and the reviews of code hosts
+    Sarif,
 }
 
 /// How objects near a ray are found.
@@ -211,6 +276,20 @@ pub(super) enum Accel {
     Octree,
     /// A tree of boxes
     Bvh,
+}
+
+/// Reads `all`, or the name of a code.
+fn code(text: &str) -> Result<Finding, String> {
+    if text == "all" {
+        return Ok(Finding::All);
+    }
+    Code::find(text).filter(|code| *code != Code::Error).map(Finding::Of).ok_or_else(|| {
+        let names: Vec<&str> = Code::all()
+            .filter(|code| code.is_lint())
+            .map(|code| code.name().trim_start_matches("lint::"))
+            .collect();
+        format!("the codes are `all`, `warning`, `possible_error` and the lints: {}", names.join(", "))
+    })
 }
 
 /// Reads `640x480`.

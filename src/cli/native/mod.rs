@@ -5,6 +5,8 @@ mod check;
 mod compare;
 mod diff;
 mod dump;
+mod fmt;
+mod lsp;
 mod render;
 mod settings;
 mod teller;
@@ -32,7 +34,8 @@ const LONG_VERSION: &str = concat!(
 );
 
 /// The subcommands' names; with one of these first, words are povista's own.
-pub(super) const COMMANDS: [&str; 7] = ["render", "check", "dump", "diff", "compare", "completions", "help"];
+pub(super) const COMMANDS: [&str; 9] =
+    ["render", "check", "fmt", "dump", "diff", "compare", "lsp", "completions", "help"];
 
 /// Runs a command line and returns the exit code.
 pub(super) fn main(
@@ -96,8 +99,10 @@ fn run(
         Command::Render(arguments) => render::render(&arguments, err).map(|()| true),
         Command::Compare(arguments) => compare::compare(&arguments, out).map(|()| true),
         Command::Check(arguments) => check::check(&arguments, out),
+        Command::Fmt(arguments) => fmt::fmt(&arguments, out, err),
         Command::Dump(arguments) => dump::dump(&arguments, out, err).map(|()| true),
         Command::Diff(arguments) => diff::diff(&arguments, out),
+        Command::Lsp(arguments) => lsp::lsp(arguments).map(|()| true),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "povista", &mut script);

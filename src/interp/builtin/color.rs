@@ -97,7 +97,7 @@ impl Vm<'_> {
             } else if let Some(index) = component(word) {
                 self.take(token);
                 if word == Word::Alpha {
-                    self.warn(
+                    self.deprecated(
                         token.span,
                         "`alpha` is an old word for `filter`",
                         "write `filter`, or `transmit` if that was meant",

@@ -58,6 +58,7 @@ impl Vm<'_> {
         };
         let ends = value.ends_with_semicolon;
         let value = if ends && self.goes_on() { Value::Poisoned } else { value.value };
+        self.note_declared(target.span, &value);
         self.assign(&target, value, local)?;
         if let (Some(note), true) = (note, fresh) {
             let message = note.message.unwrap_or_else(|| {
@@ -250,7 +251,7 @@ impl Vm<'_> {
         let token = self.peek_raw();
         let help = "add a `;` here";
         if self.version < 350 {
-            self.possible(self.last.after(), "this declaration needs a `;` at its end", help);
+            self.missing_semicolon("this declaration needs a `;` at its end");
             return Ok(());
         }
         let found = self.describe(token);

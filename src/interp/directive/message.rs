@@ -13,7 +13,7 @@ impl Vm<'_> {
     pub(super) fn debug(&mut self, directive: Directive, span: Span) -> Result<()> {
         if directive != Directive::Debug {
             let message = format!("`#{}` writes to the debug stream", directive.text());
-            self.warn(span, message, "write `#debug`");
+            self.deprecated(span, message, "write `#debug`");
         }
         let text = self.read_message(directive)?;
         self.work(STEPS_A_MESSAGE, span)?;

@@ -27,7 +27,7 @@ impl Vm<'_> {
         if semicolon {
             self.next_raw();
         } else if version >= 310 {
-            self.possible(self.last.after(), "`#version` needs a `;` at its end", "add a `;` here");
+            self.missing_semicolon("`#version` needs a `;` at its end");
         }
         if version > NEWEST {
             let fault =

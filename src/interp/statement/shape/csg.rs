@@ -17,7 +17,7 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<(Shape, ObjectFlags
         _ => CsgOperation::Union,
     };
     if block.keyword == Word::Composite {
-        vm.warn(block.span, "`composite` is the old name of `union`", "write `union`");
+        vm.deprecated(block.span, "`composite` is the old name of `union`", "write `union`");
     }
     let mut children: Vec<Arc<Object>> = Vec::new();
     while let Some(child) = object::any(vm)? {
