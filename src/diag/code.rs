@@ -98,6 +98,15 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_documentation_knows_every_lint() {
+        let page = include_str!("../../docs/command-line.md");
+        for code in Code::all().filter(|code| code.is_lint()) {
+            let name = code.name().trim_start_matches("lint::");
+            assert!(page.contains(&format!("| `{name}` |")), "{name}");
+        }
+    }
+
+    #[test]
     fn codes_are_found_by_their_names_long_and_short() {
         for (index, code) in Code::all().enumerate() {
             assert_eq!((code as usize, Code::find(&code.to_string())), (index, Some(code)));

@@ -5,19 +5,23 @@
 
 use super::piece::{Kind, Piece};
 use crate::syntax::{Directive, Punct};
+use smallvec::SmallVec;
 
 /// Columns of one level.
 pub(super) const LEVEL: usize = 2;
 
 /// A bracket that is open.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Bracket {
     /// The indentation of the line it stands in.
     base: usize,
-    /// For a bracket in an expression: the column of what follows it as it was written, and as it is laid out.
-    hanging: Option<(usize, usize)>,
+    /// For a bracket in an expression: the columns of what follows it in its line, each as it was written and as it is
+    /// laid out.
+    hanging: SmallVec<[(usize, usize); 4]>,
     /// Whether it is in an expression.
     is_inner: bool,
+    /// Whether its line goes on.
+    is_fresh: bool,
 }
 
 /// A directive that is open, or the whole file.
@@ -70,10 +74,17 @@ impl Nesting {
         let Some(bracket) = block.brackets.last() else {
             return block.content + continuation(line, before);
         };
-        match bracket.hanging {
-            Some((written, now)) if written == first.column => now,
-            _ if bracket.is_inner => bracket.base + LEVEL,
-            _ => bracket.base + LEVEL + continuation(line, before),
+        match bracket.hanging.iter().find(|(written, _)| *written == first.column) {
+            Some(&(_, now)) => now,
+            None if bracket.is_inner => bracket.base + LEVEL,
+            None => bracket.base + LEVEL + continuation(line, before),
+        }
+    }
+
+    /// Starts a line.
+    pub(super) fn start_line(&mut self) {
+        for bracket in self.block_mut().brackets.iter_mut().rev().take_while(|bracket| bracket.is_fresh) {
+            bracket.is_fresh = false;
         }
     }
 
@@ -84,15 +95,17 @@ impl Nesting {
             self.directive(directive, indentation);
         } else if opens(kind) {
             let is_inner = kind != Kind::Mark(Punct::OpenBrace);
-            let hanging = next
-                .filter(|(piece, _)| is_inner && piece.kind != Kind::LineComment)
-                .map(|(piece, now)| (piece.column, now));
-            self.block_mut().brackets.push(Bracket { base: indentation, hanging, is_inner });
+            let bracket = Bracket { base: indentation, hanging: SmallVec::new(), is_inner, is_fresh: true };
+            self.block_mut().brackets.push(bracket);
         } else if closes(kind) {
             let block = self.block_mut();
             if block.brackets.pop().is_none() {
                 block.closed += 1;
             }
+        }
+        let Some((piece, now)) = next.filter(|(piece, _)| piece.kind != Kind::LineComment) else { return };
+        if let Some(bracket) = self.block_mut().brackets.last_mut().filter(|b| b.is_inner && b.is_fresh) {
+            bracket.hanging.push((piece.column, now));
         }
     }
 

@@ -16,6 +16,7 @@ pub(super) fn lay_out(pieces: &[Piece<'_>], guarded: bool) -> String {
         if index > 0 {
             text.extend(std::iter::repeat_n('\n', line[0].lines.min(MOST_LINE_ENDS)));
         }
+        nesting.start_line();
         let indentation = nesting.indentation(line, before);
         text.extend(std::iter::repeat_n(' ', indentation));
         write_line(&mut text, line, indentation, &mut nesting);

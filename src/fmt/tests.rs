@@ -96,6 +96,8 @@ fn columns_that_were_lined_up_stay_lined_up() {
 fn what_hangs_under_a_bracket_stays_under_it() {
     let text = " matrix<1,0,\n        0,1,\n   2,3>\nf(a,\n  b)";
     assert_eq!(laid_out(text), "matrix <1, 0,\n        0, 1,\n  2, 3>\nf(a,\n  b)\n");
+    let text = "map{\n[0 color A\n   color B ]\n}";
+    assert_eq!(laid_out(text), "map {\n  [0 color A\n     color B ]\n}\n");
 }
 
 #[test]
