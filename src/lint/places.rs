@@ -4,6 +4,7 @@ use crate::compile;
 use crate::diag::{Code, Diagnostic, Severity};
 use crate::math::DVec3;
 use crate::options::RenderOptions;
+use crate::scene::camera::Projection;
 use crate::scene::{Scene, Shape};
 use crate::source::Span;
 use crate::world::object::LeafFlags;
@@ -23,6 +24,8 @@ struct Lamp {
 pub fn geometry(scene: Scene) -> Vec<Diagnostic> {
     let lamps: Vec<Lamp> = scene.objects.iter().filter_map(|object| lamp(object)).collect();
     let camera = (scene.camera.span, scene.camera.location);
+    // The rays of a mesh's faces start anywhere.
+    let has_place = !matches!(scene.camera.projection, Projection::Mesh(_));
     // How big the picture would be doesn't matter.
     let compiled = compile::compile(scene, &RenderOptions::new(64, 64));
     let (world, spans) = (&compiled.world, &compiled.spans);
@@ -31,7 +34,7 @@ pub fn geometry(scene: Scene) -> Vec<Diagnostic> {
     let lit: Vec<Vec<u32>> = lamps.iter().map(|lamp| around(lamp.location)).collect();
     let seen = around(camera.1);
     let is_dark = |object: &&u32| !lit.is_empty() && lit.iter().all(|lit| !lit.contains(object));
-    if let Some(&object) = seen.iter().find(is_dark) {
+    if let Some(&object) = seen.iter().find(is_dark).filter(|_| has_place) {
         found.push(
             Diagnostic::new(
                 Severity::Warning,
