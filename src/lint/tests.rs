@@ -73,6 +73,12 @@ fn a_default_that_is_replaced_at_once_is_told() {
 }
 
 #[test]
+fn an_old_spelling_is_told() {
+    let scene = "blob { threshold 0.5 component 1, 1, 0 sphere { 0, 1, 1 } }";
+    assert_eq!(findings(scene), [(Code::Deprecated, "`component` is an old spelling".to_owned())]);
+}
+
+#[test]
 fn an_isosurface_without_a_gradient_is_told() {
     let scene = "isosurface { function { x } contained_by { box { -1, 1 } }";
     assert_eq!(codes(&format!("{scene} }}")), [Code::MissingMaxGradient]);

@@ -217,7 +217,7 @@ fn legacy(vm: &mut Vm<'_>, legacy: &mut LegacyFinish, word: Word) -> Result<()> 
     let place = vm.next()?.span;
     if vm.version >= 310 {
         let message = format!("`{}` is a matter of the interior", word.text());
-        vm.warn(place, message, "move it to `interior { … }`");
+        vm.deprecated(place, message, "move it to `interior { … }`");
     }
     let value = Some(if word == Word::Refraction { switch(vm)? } else { single(vm)? });
     match word {

@@ -34,7 +34,7 @@ fn item(vm: &mut Vm<'_>, word: Word) -> Result<bool> {
         Word::MaxIntersections => {
             let place = vm.next()?.span;
             vm.read_int()?;
-            vm.warn(place, "`max_intersections` has no effect", "leave it out");
+            vm.deprecated(place, "`max_intersections` has no effect", "leave it out");
         }
         Word::NumberOfWaves => {
             vm.next()?;
