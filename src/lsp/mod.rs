@@ -239,3 +239,6 @@ impl Server<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
