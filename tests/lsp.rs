@@ -26,7 +26,7 @@ impl Editor {
     fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let mut server = Command::new(env!("CARGO_BIN_EXE_povista"))
-            .args(["lsp", "--max-turns", "20000", "--max-memory", "300"])
+            .args(["lsp", "--max-steps", "20000", "--max-memory", "300"])
             .current_dir(folder.path())
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())

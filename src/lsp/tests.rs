@@ -19,7 +19,7 @@ camera { location -9*z }
 fn talk(messages: Vec<Message>) -> (Vec<Value>, Vec<Value>) {
     let (ours, theirs) = Connection::memory();
     let options = Options {
-        language: LanguageOptions { max_turns: 10_000, ..LanguageOptions::default() },
+        language: LanguageOptions { max_steps: 10_000, ..LanguageOptions::default() },
         permissions: Permissions::default(),
     };
     let hello = Request::new(RequestId::from(-1), "initialize".to_owned(), json!({ "capabilities": {} }));

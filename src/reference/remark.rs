@@ -59,7 +59,10 @@ pub(super) const DIFFERENT: &[(&str, &str)] = &[
     ("area_light", "`jitter` is the same in every run and with any number of threads"),
     ("bounded_by", "never needed: povista finds its own bounds; it is kept where it changes the picture"),
     ("crand", "its grain is the same in every run and with any number of threads"),
-    ("fopen", "writing is refused where `povray.conf` forbids it"),
+    (
+        "fopen",
+        "writes only below the current folder, the scene's and the picture's, unless `--allow-write` permits another",
+    ),
     ("function", "may call itself, if it ends"),
     ("hierarchy", "read and without effect: there always is one"),
     ("include", "looks into the folder of the scene too, last of all"),

@@ -203,9 +203,9 @@ pub(super) struct Lsp {
     /// Search a folder for included files, images and fonts
     #[arg(short = 'L', long = "library", value_name = "FOLDER", value_hint = ValueHint::DirPath)]
     pub(super) library: Vec<String>,
-    /// Stop a scene whose loops turn more often than this without making anything, or ten times as often in all
-    #[arg(long, value_name = "COUNT", default_value_t = 1_000_000)]
-    pub(super) max_turns: u64,
+    /// Stop a scene that runs this many directives and macros without making anything and with no end in sight, or fifty times as many in all
+    #[arg(long, value_name = "COUNT", default_value_t = 400_000)]
+    pub(super) max_steps: u64,
     /// Stop a scene that takes more memory than this while it is read
     #[arg(long, value_name = "MEGABYTES", default_value_t = 1024)]
     pub(super) max_memory: u64,

@@ -16,8 +16,10 @@ pub(super) fn lsp(arguments: Lsp) -> Result<(), Failure> {
         scene: Some("-".to_owned()),
         library: arguments.library,
         declare: Vec::new(),
-        max_turns: Some(arguments.max_turns),
+        max_steps: Some(arguments.max_steps),
         max_memory: Some(arguments.max_memory),
+        allow_write: Vec::new(),
+        allow_shell: false,
         clock: None,
     };
     let job = settings::job(&scene, &settings::of_scene(&scene)?)?;
