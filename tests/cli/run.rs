@@ -54,10 +54,12 @@ fn a_stopped_picture_is_continued_to_the_same_bytes() {
 }
 
 #[test]
-fn programs_are_named_by_ini_files_alone_and_may_be_forbidden() {
+fn programs_run_on_the_way_may_be_forbidden() {
     let desk = Desk::new();
-    assert_eq!(desk.povray("a.pov +W8 +H8 Pre_Scene_Command=ls").code, Some(1));
     desk.write("home/.povray/3.7/povray.conf", "[Shellout Security]\nforbidden\n");
+    let answer = desk.povray("a.pov +W8 +H8 Pre_Scene_Command=ls");
+    assert_eq!(answer.code, Some(0), "{}", answer.err);
+    assert!(answer.err.contains("Execution of shellout 'ls' prohibited"), "{}", answer.err);
     desk.write("r.ini", "Post_Frame_Command=touch \"%o.done\", %s ; a comment\n");
     let answer = desk.povray("r.ini a.pov +W8 +H8");
     assert_eq!(answer.code, Some(0), "{}", answer.err);

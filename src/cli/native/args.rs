@@ -67,7 +67,7 @@ pub(super) struct Scene {
     #[arg(short = 'L', long = "library", value_name = "FOLDER", value_hint = ValueHint::DirPath)]
     pub(super) library: Vec<String>,
     /// Declare a constant for the scene, such as `Size=3` or `Name="text"`
-    #[arg(long, value_name = "NAME=VALUE")]
+    #[arg(long, value_name = "NAME=VALUE", value_parser = constant)]
     pub(super) declare: Vec<String>,
     /// Stop a scene that runs this many directives and macros without making anything and with no end in sight, or fifty times as many in all [default: 4000000]
     #[arg(long, value_name = "COUNT")]
@@ -100,7 +100,7 @@ pub(super) struct Render {
     #[arg(long)]
     pub(super) alpha: bool,
     /// Bits per channel, 5 to 16, where the format leaves a choice [default: 8]
-    #[arg(long, value_name = "BITS")]
+    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u8).range(5..=16))]
     pub(super) bits: Option<u8>,
     /// Go on with a picture that was stopped, and leave alone those that are there
     #[arg(long = "continue")]
@@ -126,16 +126,16 @@ pub(super) struct Look {
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     pub(super) size: Option<(u32, u32)>,
     /// Antialias: refine pixels that differ by this much from their neighbours, 0 to 1 [default: 0.3]
-    #[arg(long, value_name = "THRESHOLD", num_args = 0..=1, default_missing_value = "0.3")]
+    #[arg(long, value_name = "THRESHOLD", num_args = 0..=1, default_missing_value = "0.3", value_parser = threshold)]
     pub(super) aa: Option<f32>,
     /// Antialias by POV-Ray's method 1 (neighbours) or 2 (adaptive) [default: 1]
     #[arg(long, value_name = "METHOD", value_parser = clap::value_parser!(u8).range(1..=2))]
     pub(super) aa_method: Option<u8>,
     /// Fineness of antialiasing, 1 to 9 [default: 3]
-    #[arg(long, value_name = "DEPTH")]
+    #[arg(long, value_name = "DEPTH", value_parser = clap::value_parser!(u8).range(1..=9))]
     pub(super) aa_depth: Option<u8>,
     /// Shading from 0 (flat colors) to 9 (everything)
-    #[arg(long, value_name = "LEVEL")]
+    #[arg(long, value_name = "LEVEL", value_parser = clap::value_parser!(u8).range(0..=9))]
     pub(super) quality: Option<u8>,
     /// Render only these rows, counted from 1: `100-200`, `100-` or `-200`
     #[arg(long, value_name = "FIRST-LAST", value_parser = range, allow_hyphen_values = true)]
@@ -144,7 +144,7 @@ pub(super) struct Look {
     #[arg(long, value_name = "FIRST-LAST", value_parser = range, allow_hyphen_values = true)]
     pub(super) columns: Option<(Option<u32>, Option<u32>)>,
     /// Use so many threads; never changes the picture [default: all the machine has]
-    #[arg(long, value_name = "COUNT")]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..))]
     pub(super) threads: Option<u32>,
 }
 
@@ -299,11 +299,32 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         .ok_or_else(|| "a size is WIDTHxHEIGHT, such as 640x480".to_owned())
 }
 
+/// Reads a number from 0 to 1.
+fn threshold(text: &str) -> Result<f32, String> {
+    let number = text.parse().ok().filter(|number| (0.0..=1.0).contains(number));
+    number.ok_or_else(|| "a threshold is a number from 0 to 1".to_owned())
+}
+
+/// Reads `Size=3` or `Name="text"`.
+fn constant(text: &str) -> Result<String, String> {
+    let (name, value) = text.split_once('=').unwrap_or((text, ""));
+    let number = value.trim().parse().is_ok_and(f64::is_finite);
+    let quoted = value.len() > 1
+        && ['"', '\''].iter().any(|quote| value.starts_with(*quote) && value.ends_with(*quote));
+    if !name.is_empty() && (number || quoted) {
+        return Ok(text.to_owned());
+    }
+    Err("a constant is NAME=NUMBER or NAME=\"text\"; the quotes belong to it: 'Name=\"text\"'".to_owned())
+}
+
 /// Reads `10-20`, `10-` or `-20`.
 fn range(text: &str) -> Result<(Option<u32>, Option<u32>), String> {
-    let end = |text: &str| if text.is_empty() { Ok(None) } else { text.parse().map(Some) };
+    let end = |text: &str| match text {
+        "" => Some(None),
+        _ => text.parse().ok().filter(|number| *number > 0).map(Some),
+    };
     text.split_once('-')
-        .and_then(|(first, last)| Some((end(first).ok()?, end(last).ok()?)))
+        .and_then(|(first, last)| Some((end(first)?, end(last)?)))
         .ok_or_else(|| "a range is FIRST-LAST, such as 100-200, 100- or -200".to_owned())
 }
 
@@ -323,6 +344,25 @@ mod tests {
         assert!(size("640").is_err());
         assert_eq!(range("10-20"), Ok((Some(10), Some(20))));
         assert_eq!(range("-20"), Ok((None, Some(20))));
-        assert!(range("10").is_err() && range("a-b").is_err());
+        assert!(range("10").is_err() && range("a-b").is_err() && range("0-3").is_err());
+    }
+
+    #[test]
+    fn constants_are_numbers_or_quoted() {
+        for good in ["Size=3", "a=-1.5e3", "b = .5", "Name=\"some text\"", "n=\"\""] {
+            assert_eq!(constant(good).as_deref(), Ok(good));
+        }
+        for bad in ["Size", "Size=", "=3", "Name=text", "Name=\"", "n=nan"] {
+            assert!(constant(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_refused() {
+        for bad in ["--aa=3", "--aa=-1", "--aa=x", "--aa-depth=0", "--quality=10", "--bits=3", "--threads=0"]
+        {
+            assert!(Arguments::try_parse_from(["povista", "a.pov", bad]).is_err(), "{bad}");
+        }
+        assert!(Arguments::try_parse_from(["povista", "a.pov", "--aa", "--bits=16", "--aa-depth=9"]).is_ok());
     }
 }

@@ -87,8 +87,12 @@ impl Sink for Console<'_> {
 impl Progress for Console<'_> {
     fn advance(&self, done: u64, total: u64) {
         let percent = done * 100 / total.max(1);
-        if self.verbose && self.shown.fetch_max(percent, Ordering::Relaxed) < percent {
-            self.lock().progress(&format!("Rendered {done} of {total} pixels ({percent}%)"));
+        if self.verbose && self.shown.load(Ordering::Relaxed) < percent {
+            // Another thread may have told more before this one had the stream.
+            let mut streams = self.lock();
+            if self.shown.fetch_max(percent, Ordering::Relaxed) < percent {
+                streams.progress(&format!("Rendered {done} of {total} pixels ({percent}%)"));
+            }
         }
     }
 }

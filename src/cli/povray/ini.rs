@@ -62,7 +62,7 @@ pub(super) fn read_file(
 /// Reads a line that is not the head of a section.
 fn read_line(line: &str, settings: &mut Settings, depth: usize) -> Result<(), Problem> {
     if line.starts_with(['+', '-']) {
-        return words::read_switches(uncommented(line), settings);
+        return words::read_switches(uncommented(line), settings, depth + 1);
     }
     match line.split_once('=') {
         Some((name, values)) if !name.contains(|letter: char| "\"';#".contains(letter)) => {
@@ -81,10 +81,7 @@ fn read_line(line: &str, settings: &mut Settings, depth: usize) -> Result<(), Pr
             }
             Ok(())
         }
-        _ => match uncommented(line) {
-            "" => Ok(()),
-            name => words::read_plain(name, settings, depth + 1),
-        },
+        _ => words::read_switches(uncommented(line), settings, depth + 1),
     }
 }
 
@@ -183,6 +180,9 @@ mod tests {
                 "Antialias=On Antialias_Threshold=0.3 Display=Off Video_Mode=0 Vista_Buffer=Off",
             ),
             ("foo/", "Library_Path=\"foo/\""),
+            ("a.pov +W10 +H8 ; small", "Height=8 Input_File_Name=\"a.pov\" Width=10"),
+            ("\"a b.pov\" -D", "Display=Off Input_File_Name=\"a b.pov\""),
+            ("'a - b.pov' 'c.pov'", "Input_File_Name=\"c.pov\""),
             ("  Width  =  5  ", "Width=5"),
             ("Output_File_Name=a b", "Output_File_Name=\"a b\""),
             ("Output_File_Name='a b'", "Output_File_Name=\"a b\""),

@@ -9,20 +9,31 @@ use crate::cli::settings::{Kind, Name, Settings, Value, value};
 /// # Errors
 /// The word is no switch, option, scene, folder or INI file, or its value cannot be read.
 pub fn read(word: &str, settings: &mut Settings) -> Result<(), Problem> {
+    if word.is_empty() {
+        return Ok(()); // A script's empty variable.
+    }
+    if word == "-" {
+        // Standard input, as with povista's own words; POV-Ray refuses it.
+        settings.set(Name::InputFileName, Value::Text(word.to_owned()));
+        return Ok(());
+    }
     if word.starts_with(['+', '-']) {
-        return read_switches(word, settings);
+        return read_switches(word, settings, 0);
     }
     match word.split_once('=') {
         Some((name, value)) => {
             let option = Name::find(name).ok_or_else(|| unknown(name))?;
-            let value = match value::quoted(value) {
-                Some((inside, "")) => inside,
-                _ => value,
+            let (value, quoted) = match value::quoted(value) {
+                Some((inside, "")) => (inside, true),
+                _ => (value, false),
             };
             match option.kind() {
-                Kind::Command | Kind::Obsolete => {
-                    Err(Problem::new(format!("`{}` is for INI files alone", option.as_str())))
+                Kind::Command if !quoted && value.contains([' ', ';']) => {
+                    let problem =
+                        Problem::new(format!("the command of `{}` ends too early", option.as_str()));
+                    Err(problem.help(format!("put it in quotes: `{}=\"{value}\"`", option.as_str())))
                 }
+                Kind::Obsolete => Err(Problem::new(format!("`{}` is for INI files alone", option.as_str()))),
                 Kind::Ini => ini::read_named(value, settings, 1),
                 _ => settings.read(option, value),
             }
@@ -31,20 +42,31 @@ pub fn read(word: &str, settings: &mut Settings) -> Result<(), Problem> {
     }
 }
 
-/// Reads switches that stand in one line, each beginning with a sign.
+/// Reads switches that stand in one line, each beginning with a sign, and what stands before them:
+/// `scene.pov +W40 +H30`.
 ///
 /// A blank inside a value stays: `+Omy picture.png` is one switch.
 ///
 /// # Errors
 /// One of them cannot be read.
-pub(super) fn read_switches(line: &str, settings: &mut Settings) -> Result<(), Problem> {
+pub(super) fn read_switches(line: &str, settings: &mut Settings, depth: usize) -> Result<(), Problem> {
     let mut rest = line.trim();
     while !rest.is_empty() {
+        if let Some((name, after)) = value::quoted(rest) {
+            read_plain(name, settings, depth)?;
+            rest = after.trim_start();
+            continue;
+        }
         let next = rest
             .match_indices([' ', '\t'])
             .find(|(blank, _)| rest[blank + 1..].starts_with(['+', '-']))
             .map_or(rest.len(), |(blank, _)| blank);
-        switch::read(rest[..next].trim_end(), settings)?;
+        let word = rest[..next].trim_end();
+        if word.starts_with(['+', '-']) {
+            switch::read(word, settings)?;
+        } else {
+            read_plain(word, settings, depth)?;
+        }
         rest = rest[next..].trim_start();
     }
     Ok(())
@@ -127,6 +149,10 @@ mod tests {
             (&["+Ia.pov", "b.POV"], "Input_File_Name=\"b.POV\""),
             (&["./foo/", "+Lbar", "+Lbar"], "Library_Path=\"./foo/\" Library_Path=\"bar\""),
             (&["+W5 +H6"], "Height=6 Width=5"),
+            (&["-", "+W5"], "Input_File_Name=\"-\" Width=5"),
+            (&["", "a.pov", ""], "Input_File_Name=\"a.pov\""),
+            (&["Pre_Scene_Command=ls"], "Pre_Scene_Command=ls"),
+            (&["Pre_Scene_Command='ls -l;'"], "Pre_Scene_Command=ls -l;"),
             (&["Output_File_Name=a,b"], "Output_File_Name=\"a,b\""),
         ];
         for (words, expected) in rows {
@@ -154,6 +180,9 @@ mod tests {
             "foo.bar",
             "--W5",
             "/W640",
+            "Pre_Scene_Command=ls -l",
+            "Pre_Scene_Command=ls;",
+            "Buffer_Output=on",
         ];
         for word in refused {
             assert!(ini(&[word]).starts_with("error: "), "{word}");

@@ -82,13 +82,17 @@ impl Vm<'_> {
         match missing {
             Missing::NotFound(folders) => {
                 let fault = self.error(place, format!("cannot find the file `{name}`")).label("not found");
-                let shown: Vec<String> = folders
-                    .iter()
-                    .map(|folder| match folder.as_os_str().is_empty() {
+                let mut shown: Vec<String> = Vec::new();
+                for folder in folders {
+                    let folder = match folder.as_os_str().is_empty() {
                         true => "the current folder".to_owned(),
                         false => folder.display().to_string(),
-                    })
-                    .collect();
+                    };
+                    // The scene's own folder, asked last, is often one of the others.
+                    if !shown.contains(&folder) {
+                        shown.push(folder);
+                    }
+                }
                 fault.help(format!("looked in {}; `+L` adds a folder", shown.join(", ")))
             }
             Missing::Folder(path) => {
