@@ -4,7 +4,7 @@ use crate::math::Transform;
 use crate::scene;
 use crate::scene::light::LightKind;
 use crate::world::Light;
-use crate::world::light::{AreaLight, Cylinder, Fade, Kind, Spotlight};
+use crate::world::light::{AreaLight, Cylinder, Fade, Kind, Plan, Spotlight};
 
 /// A light of a world.
 ///
@@ -43,13 +43,15 @@ fn fade(light: &scene::Light) -> Option<Fade> {
 }
 
 fn area_light(area: &scene::light::AreaLight, transform: &Transform) -> AreaLight {
+    let circular = area.circular || area.orient;
     AreaLight {
         axes: area.axes.map(|axis| transform.vector(axis)),
         size: area.size,
         adaptive: area.adaptive,
         jitter: area.jitter,
-        circular: area.circular || area.orient,
+        circular,
         orient: area.orient,
         area_illumination: area.area_illumination,
+        plan: Plan::new(area.size, area.adaptive, circular),
     }
 }

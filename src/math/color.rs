@@ -62,8 +62,7 @@ impl Rgbft {
 /// what they are.
 #[inline]
 pub fn grey(color: Rgb) -> f32 {
-    let [r, g, b] = color.to_array().map(f64::from);
-    (0.297 * r + 0.589 * g + 0.114 * b) as f32
+    (0.297 * f64::from(color.x) + 0.589 * f64::from(color.y) + 0.114 * f64::from(color.z)) as f32
 }
 
 #[cfg(test)]

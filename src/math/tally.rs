@@ -47,4 +47,6 @@ tallies! {
     functions,
     /// Colours looked up in images.
     image_lookups,
+    /// Numbers taken by what is random.
+    random_numbers,
 }

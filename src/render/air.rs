@@ -1,7 +1,7 @@
 //! What lies between surfaces: media inside objects, rainbows, media of the air, fog
 //! (docs/spec/atmosphere-gi.md 1.2 and 1.8).
 
-use super::media::{Stretch, mix};
+use super::media::{Stretch, mix, transmittance};
 use super::refract::Inside;
 use super::trace::{Path, Tracer};
 use crate::math::Rgb;
@@ -50,10 +50,15 @@ impl Tracer<'_> {
         if !world.needs.media || !self.quality.atmosphere || inside.is_empty() {
             return Rgb::ONE;
         }
-        let media = mix(world, inside);
-        if media.is_empty() {
+        let all = || inside.numbers().flat_map(|number| &world.interiors[number as usize].media);
+        if !all().any(|media| media.dims()) {
             return Rgb::ONE;
         }
+        if all().all(|media| media.density.is_uniform()) {
+            let depth: Rgb = all().map(|media| media.density.uniform * media.extinction).sum();
+            return transmittance(depth * length as f32);
+        }
+        let media = mix(world, inside);
         self.media_shadow(&Stretch { ray: *ray, length, inside, media, lights: &[] })
     }
 

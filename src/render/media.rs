@@ -103,9 +103,9 @@ impl Tracer<'_> {
             return transmittance(uniform.depth * stretch.length as f32);
         }
         let intervals = intervals(march.rule, &[], stretch.length);
-        let depth = intervals.iter().map(|interval| match march.rule.method {
-            Method::Adaptive { .. } => self.adaptive_depth(&march, interval),
-            Method::Random(_) | Method::Even(_) => self.stratified_depth(&march, interval),
+        let depth = intervals.map(|interval| match march.rule.method {
+            Method::Adaptive { .. } => self.adaptive_depth(&march, &interval),
+            Method::Random(_) | Method::Even(_) => self.stratified_depth(&march, &interval),
         });
         transmittance(depth.sum())
     }
@@ -152,6 +152,10 @@ fn bundle(stretch: &Stretch, rule: &Sampling, light: &Light, reach: Range) -> Op
     let mut points = Points::from_slice(&ends);
     match &light.area {
         Some(_) if light.parallel => return None,
+        Some(area) if !area.orient => {
+            points.push(light.location);
+            points.extend(area.corners(area.axes).map(|corner| light.location + corner));
+        }
         Some(area) => {
             points.push(light.location);
             let radius = DVec3::splat(area.radius());
@@ -194,6 +198,8 @@ fn veil(added: Rgb, factor: Rgb) -> Veil {
 }
 
 /// The share of light left after an optical depth; depths below 0 brighten, but not without end.
-fn transmittance(depth: Rgb) -> Rgb {
-    (-depth).min(Rgb::splat(80.0)).exp()
+pub(super) fn transmittance(depth: Rgb) -> Rgb {
+    let exponent = (-depth).min(Rgb::splat(80.0));
+    let grey = exponent.x == exponent.y && exponent.y == exponent.z;
+    if grey { Rgb::splat(exponent.x.exp()) } else { exponent.exp() }
 }

@@ -27,6 +27,7 @@ pub use stats::Statistics;
 use crate::math::DVec2;
 use crate::math::tally::Tally;
 use crate::options::{Region, RenderOptions};
+use crate::world::accel::Hull;
 use crate::world::atmosphere::Alpha;
 use crate::world::camera::mesh_camera::Place;
 use crate::world::camera::{MeshCamera, film};
@@ -86,7 +87,14 @@ struct Eye<'w> {
 
 impl<'w> Eye<'w> {
     fn new(world: &'w World, options: &'w RenderOptions) -> Self {
-        let eye = world.camera.eye();
+        let eye = world.camera.eye().or_else(|| {
+            // Where no surface is near a lens, all its places are inside of the same.
+            let lens = world.camera.blur.as_ref().filter(|_| world.camera.mesh.is_none());
+            let (middle, corners) = lens?.extent();
+            let finite = corners.iter().all(|corner| corner.is_finite());
+            let free = finite && world.geometry.is_free(&Hull::new(corners.into_iter().collect()));
+            free.then_some(middle)
+        });
         Self { world, options, inside: eye.map(|point| Inside::of(world.interiors_around(point))) }
     }
 

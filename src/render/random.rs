@@ -1,5 +1,7 @@
 //! Randomness that belongs to a sample, not to a thread.
 
+use crate::math::tally;
+
 /// A sequence of numbers that depends only on where the sample is.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Random {
@@ -23,6 +25,7 @@ impl Random {
 
     /// The next number, uniform in [0, 1).
     pub(super) fn next(&mut self) -> f64 {
+        tally::random_numbers(1);
         let before = match *self {
             Self::Fresh([x, y, seed]) => scramble(scramble(scramble(x) ^ y) ^ seed),
             Self::Running(state) => state,

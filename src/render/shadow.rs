@@ -1,20 +1,21 @@
 //! What of a lamp's light comes through to a surface (docs/spec/shading.md 15 and 17).
 
+mod grid;
+
+pub(super) use grid::Places;
+
 use super::refract::Inside;
 use super::textures;
 use super::trace::Tracer;
-use crate::math::{DVec2, DVec3, Rgb};
-use crate::world::accel::{Hull, Points};
-use crate::world::hit::{Hit, Nearby};
-use crate::world::light::{AreaLight, Incident, is_dark};
+use crate::math::Rgb;
+use crate::world::hit::Hit;
+use crate::world::light::{Incident, is_dark};
 use crate::world::object::LeafFlags;
+use crate::world::screen::Screen;
 use crate::world::{Intersection, Light, Range, Ray};
 
-/// Difference between corners of an area light's grid above which the part between is refined.
-const UNEVEN: f32 = 0.1;
-
-/// From so many rays to an area light on it is worth while to look first what may be in their way.
-const MANY_RAYS: u32 = 64;
+/// The last part of the way to a light, where the surface that it lies on is not in its way.
+const LAST: f64 = 1e-9;
 
 /// What lamps shine on: a surface, or a point in media.
 #[derive(Clone, Copy)]
@@ -23,22 +24,7 @@ pub(super) struct Target<'a> {
     /// What is around it.
     pub(super) inside: &'a Inside,
     /// The only objects that may be in the way, where that is known.
-    pub(super) among: Option<&'a [u32]>,
-}
-
-/// A rectangle of an area light's grid, by the indices of its corners.
-#[derive(Clone, Copy)]
-struct Part {
-    u: [u32; 2],
-    v: [u32; 2],
-}
-
-/// An area light as one hit sees it.
-struct Grid<'a> {
-    light: &'a Light,
-    area: &'a AreaLight,
-    axes: [DVec3; 2],
-    center: Incident,
+    pub(super) among: Option<&'a [Screen]>,
 }
 
 impl Tracer<'_> {
@@ -50,82 +36,24 @@ impl Tracer<'_> {
         }
         let among = if at.among.is_none() { self.between(at, light, incident) } else { None };
         let at = &Target { among: among.as_deref().or(at.among), ..*at };
-        let nothing = at.among.is_some_and(<[u32]>::is_empty);
+        let nothing = at.among.is_some_and(<[Screen]>::is_empty);
         if nothing && light.projected_through.is_none() && !self.dims(light) {
             self.statistics.lights_open += 1;
             return incident.color;
         }
         match &light.area {
-            Some(area) if self.quality.area_lights => {
-                self.grid.clear();
-                self.grid.resize((area.size[0] * area.size[1]) as usize, None);
-                let axes = area.axes_towards(incident.direction);
-                let grid = Grid { light, area, axes, center: *incident };
-                let whole = Part { u: [0, area.size[0] - 1], v: [0, area.size[1] - 1] };
-                self.part(at, &grid, whole, 0)
+            Some(area) if self.quality.area_lights => self.area_light(at, light, area, incident),
+            _ => {
+                self.statistics.shadow_rays += 1;
+                self.shadow_ray(at, light, incident)
             }
-            _ => self.shadow_ray(at, light, incident),
         }
-    }
-
-    /// The objects that may be in the way of an area light that takes many rays; `None` where finding
-    /// them isn't worth while, or they are many.
-    fn between(&self, at: &Target, light: &Light, incident: &Incident) -> Option<Nearby> {
-        let area = light.area.as_ref().filter(|_| self.quality.area_lights && !light.runs_parallel())?;
-        if area.least_rays() < MANY_RAYS {
-            return None;
-        }
-        let Intersection { point, geometric, error, .. } = *at.surface;
-        let mut points = Points::new();
-        points.push(point + error * geometric);
-        points.extend(area.corners(area.axes_towards(incident.direction)).map(|c| light.location + c));
-        points.push(point - error * geometric);
-        let known = points.iter().all(|point| point.is_finite());
-        known.then(|| Hull::new(points)).and_then(|hull| self.world.geometry.between(&hull))
-    }
-
-    /// The mean light from a part of an area light.
-    fn part(&mut self, at: &Target, grid: &Grid, part: Part, level: u32) -> Rgb {
-        let Part { u, v } = part;
-        let corners =
-            [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])].map(|place| self.place(at, grid, place));
-        let coarse = u[1] - u[0] > 1 || v[1] - v[0] > 1;
-        let unlike = |a: usize, b: usize| (corners[a] - corners[b]).abs().element_sum() > UNEVEN;
-        let uneven = || unlike(0, 1) || unlike(2, 3) || unlike(0, 2) || unlike(1, 3);
-        let values = if coarse && (level < grid.area.adaptive || uneven()) {
-            let low = |[a, b]: [u32; 2]| [a, (a + b) / 2];
-            let high = |[a, b]: [u32; 2]| [(a + b).div_ceil(2), b];
-            [(low(u), low(v)), (high(u), low(v)), (low(u), high(v)), (high(u), high(v))]
-                .map(|(u, v)| self.part(at, grid, Part { u, v }, level + 1))
-        } else {
-            corners
-        };
-        values.into_iter().sum::<Rgb>() / 4.0
-    }
-
-    /// The light from one place of the grid, traced once for each hit.
-    fn place(&mut self, at: &Target, grid: &Grid, (u, v): (u32, u32)) -> Rgb {
-        let index = (v * grid.area.size[0] + u) as usize;
-        if let Some(known) = self.grid[index] {
-            return known;
-        }
-        let offset = grid.area.offset(grid.axes, (u, v), self.grid_shift(grid.area));
-        let mut incident = grid.light.reaching_from_grid(at.surface.point, offset);
-        incident.color = grid.center.color;
-        let color = self.shadow_ray(at, grid.light, &incident);
-        self.grid[index] = Some(color);
-        color
-    }
-
-    /// How far a light of a grid is moved, in cells.
-    pub(super) fn grid_shift(&mut self, area: &AreaLight) -> DVec2 {
-        if area.jitter { DVec2::new(self.random.next() - 0.5, self.random.next() - 0.5) } else { DVec2::ZERO }
     }
 
     /// Follows a straight ray towards a light.
     fn shadow_ray(&mut self, at: &Target, light: &Light, incident: &Incident) -> Rgb {
         let ray = Ray::new(at.surface.leave(incident.direction), incident.direction);
-        let mut range = Range { min: 0.0, max: incident.distance - at.surface.error };
+        let mut range = Range { min: 0.0, max: incident.distance * (1.0 - LAST) - at.surface.error };
         if let Some(object) = light.projected_through {
             match self.world.geometry.object_distance(object, &ray, range) {
                 Some(distance) => range.max = distance,
@@ -135,9 +63,10 @@ impl Tracer<'_> {
                 return incident.color;
             }
         }
-        self.statistics.shadow_rays += 1;
         let geometry = &self.world.geometry;
-        if self.blocker.is_some_and(|object| geometry.is_blocked_by(object, &ray, range)) {
+        if at.among.is_none()
+            && self.blocker.is_some_and(|object| geometry.is_blocked_by(object, &ray, range))
+        {
             return Rgb::ZERO;
         }
         let mut occluders = std::mem::take(&mut self.occluders);

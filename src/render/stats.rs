@@ -78,6 +78,8 @@ counters! {
     functions: "function calls",
     /// Colours looked up in images.
     image_lookups: "colours from images",
+    /// Numbers taken by what is random.
+    random_numbers: "random numbers",
     /// Images that some texture in the world refers to; no others are decoded.
     images: "images decoded",
 }
@@ -85,8 +87,16 @@ counters! {
 impl Statistics {
     /// Adds what the thread counted.
     pub(super) fn add(&mut self, tally: Tally) {
-        let Tally { noise, vector_noise, patterns, bumps, texture_coordinates, functions, image_lookups } =
-            tally;
+        let Tally {
+            noise,
+            vector_noise,
+            patterns,
+            bumps,
+            texture_coordinates,
+            functions,
+            image_lookups,
+            random_numbers,
+        } = tally;
         self.noise += noise;
         self.vector_noise += vector_noise;
         self.patterns += patterns;
@@ -94,6 +104,7 @@ impl Statistics {
         self.texture_coordinates += texture_coordinates;
         self.functions += functions;
         self.image_lookups += image_lookups;
+        self.random_numbers += random_numbers;
     }
 }
 

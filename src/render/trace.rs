@@ -5,6 +5,7 @@ use super::quality::Quality;
 use super::random::Random;
 use super::refract::Inside;
 use super::shade::Mirror;
+use super::shadow::Places;
 use super::stats::Statistics;
 use crate::math::Rgb;
 use crate::world::atmosphere::Alpha;
@@ -59,8 +60,8 @@ pub(super) struct Tracer<'w> {
     pub(super) occluders: Vec<Hit>,
     /// What was in the way of the last shadow ray, and so probably is in that of the next.
     pub(super) blocker: Option<u32>,
-    /// Shadow colours on the grid of the area light at hand.
-    pub(super) grid: Vec<Option<Rgb>>,
+    /// What the places of the area light at hand show.
+    pub(super) places: Places,
 }
 
 impl<'w> Tracer<'w> {
@@ -76,7 +77,7 @@ impl<'w> Tracer<'w> {
             mirrors: Vec::new(),
             occluders: Vec::new(),
             blocker: None,
-            grid: Vec::new(),
+            places: Places::default(),
         }
     }
 

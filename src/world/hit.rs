@@ -1,6 +1,8 @@
 //! Questions to the geometry of a world: what does a ray meet, what is in the way of light, what
 //! is a point inside of.
 
+use std::cell::LazyCell;
+
 use smallvec::SmallVec;
 
 use super::accel::{Accel, Hull, Slabs};
@@ -8,16 +10,17 @@ use super::csg::Found;
 use super::object::{LeafFlags, Member, RayKind};
 use super::parts::{Object, Parts};
 use super::ray::{Range, Ray};
+use super::screen::{SHUT, Screen, UNKNOWN};
 use super::shape::{Crossing, Shape};
 use crate::math::DVec3;
 use crate::math::wide::widest;
 use crate::options::Accelerator;
 
 /// Up to this many objects that may throw a shadow are kept for the many rays of a bundle.
-const FEW: usize = 8;
+const FEW: usize = 12;
 
-/// Objects that may throw a shadow, by number.
-pub type Nearby = SmallVec<[u32; FEW]>;
+/// Objects that may throw a shadow.
+pub type Nearby = SmallVec<[Screen; FEW]>;
 
 /// Where a ray meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,17 +136,13 @@ impl Geometry {
         blocker
     }
 
-    /// The objects that may stand in the way of light on straight ways inside of `hull`, by number;
-    /// `None` if they are too many to be worth knowing.
+    /// The objects that may stand in the way of light on straight ways inside of `hull`; `None` if
+    /// they are too many to be worth knowing.
     pub fn between(&self, hull: &Hull) -> Option<Nearby> {
-        let mut found = SmallVec::new();
+        let mut found = Nearby::new();
         let mut add = |number: u32| {
-            let shuts_out = match self.parts.objects[number as usize].member {
-                Member::Leaf(leaf) => !self.parts.leaf(leaf).is_apart_from(hull.points()),
-                Member::Group(_) => true,
-            };
-            if shuts_out {
-                found.push(number);
+            if self.is_near(number, hull) {
+                found.extend(Screen::new(number, &self.parts.objects[number as usize], &self.parts));
             }
             found.len() > FEW
         };
@@ -151,25 +150,47 @@ impl Geometry {
         (!many).then_some(found)
     }
 
+    /// Whether no surface is in `hull`, as far as boxes tell.
+    pub fn is_free(&self, hull: &Hull) -> bool {
+        let near = |number| self.is_near(number, hull);
+        !self.unbounded.iter().copied().any(near) && !self.bounded.any_touching(hull, near)
+    }
+
+    /// Whether an object whose box meets the hull may have a surface there.
+    fn is_near(&self, number: u32, hull: &Hull) -> bool {
+        match self.parts.objects[number as usize].member {
+            Member::Leaf(leaf) => !self.parts.leaf(leaf).is_apart_from(hull.points()),
+            Member::Group(_) => true,
+        }
+    }
+
     /// The same as [`occluders`](Self::occluders) where it is known that only objects of `among` may
     /// be in the way.
     pub fn occluders_among(
         &self,
-        among: &[u32],
+        among: &[Screen],
         ray: &Ray,
         range: Range,
         through: &mut Vec<Hit>,
     ) -> Option<u32> {
         through.clear();
-        let slabs = Slabs::new(ray);
-        let blocker = among.iter().copied().find(|&number| {
-            let object = &self.parts.objects[number as usize];
+        if range.max <= 0.0 {
+            return None;
+        }
+        let way = (ray.direction * range.max).to_array();
+        let slabs = LazyCell::new(|| Slabs::new(ray));
+        let blocker = among.iter().find(|screen| {
+            let verdict = screen.from(ray.origin).verdict(way);
+            if verdict != UNKNOWN {
+                return verdict == SHUT;
+            }
+            let object = &self.parts.objects[screen.object as usize];
             let bounds = &self.parts.extent(object.member).bounds;
-            let near = !bounds.is_finite() || slabs.meet(bounds, range);
-            near && self.occluders_of(object, number, ray, range, through)
+            let near = !screen.is_bounded() || slabs.meet(bounds, range);
+            near && self.occluders_of(object, screen.object, ray, range, through)
         });
         self.sort_occluders(ray, through);
-        blocker
+        blocker.map(|screen| screen.object)
     }
 
     /// The nearest first, coincident ones once.
@@ -194,13 +215,23 @@ impl Geometry {
         range: Range,
         through: &mut Vec<Hit>,
     ) -> bool {
-        if let Member::Leaf(leaf) = object.member {
-            let leaf = self.parts.leaf(leaf);
+        if let Member::Leaf(lone) = object.member {
+            let leaf = self.parts.leaf(lone);
             if leaf.hidden.intersects(RayKind::SHADOW) {
                 return false;
             }
             if object.opaque && leaf.limits.is_none() {
                 return leaf.primitive.occludes(&leaf.inner(ray), range);
+            }
+            // No other member has a say about where a lone solid begins and ends.
+            if leaf.is_convex()
+                && !leaf.flags.contains(LeafFlags::OPAQUE)
+                && let Some(stretch) = leaf.primitive.convex(&leaf.inner(ray))
+            {
+                let hit = |crossing: Crossing| Hit { t: crossing.t, crossing, leaf: lone, object: number };
+                let ends = stretch.map_or([None; 2], |stretch| stretch.ends(range));
+                through.extend(ends.into_iter().flatten().map(hit));
+                return false;
             }
         }
         self.parts.surface_along(object.member, ray, range, RayKind::SHADOW, |found| {

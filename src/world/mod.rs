@@ -17,6 +17,7 @@ pub mod parts;
 pub mod pattern;
 pub mod ray;
 pub mod sample;
+pub mod screen;
 pub mod settings;
 pub mod shape;
 pub mod surface;

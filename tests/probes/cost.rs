@@ -23,6 +23,36 @@ fn shadowless_lights_and_surfaces_without_diffuse_need_no_shadow_rays() {
 }
 
 #[test]
+fn dark_and_faded_lights_cost_nothing() {
+    for light in [
+        "light_source{0 rgb 0}",
+        "light_source{0 rgb 1e-12}",
+        "light_source{0 rgb 1 fade_distance 1e-3 fade_power 9}",
+        "light_source{0 rgb 1 cylinder point_at z radius .001 falloff .001 translate 9*x}",
+        "light_source{0 rgb 1 spotlight point_at -z}",
+        "light_source{-9*z rgb 1 parallel point_at -12*z cylinder radius 1 falloff 1}",
+    ] {
+        let counts = statistics(&format!("{light} FLOOR"));
+        assert_eq!((counts.shadow_rays, counts.lights_dark), (0, 192), "{light}");
+    }
+}
+
+#[test]
+fn where_there_are_no_media_none_are_walked_through() {
+    let ball = |more: &str| {
+        format!("light_source{{-9*z rgb 1}} FLOOR sphere{{4*z,1 hollow pigment{{rgbt 1}} {more}}}")
+    };
+    let walked = |more: &str| statistics(&ball(more)).media_stretches;
+    assert_eq!(walked(""), 0);
+    assert_eq!(walked("interior{ior 1.1 fade_distance 1 fade_power 1}"), 0);
+    // Those inside one object are walked through there, and nowhere else.
+    let inside = walked("interior{media{emission 1}}");
+    assert!((1..192).contains(&inside), "{inside}");
+    // Media keep out of what isn't hollow, and of the air around.
+    assert_eq!(statistics(&ball("interior{media{emission 1}}").replace("hollow", "")).media_stretches, 0);
+}
+
+#[test]
 fn lights_out_of_reach_cost_nothing() {
     let spot = "light_source{<0,0,0> rgb 1 spotlight point_at -z radius 10 falloff 20} FLOOR";
     assert_eq!(statistics(spot).shadow_rays, 0);
@@ -220,9 +250,16 @@ fn clear_surfaces_are_not_textured() {
 
 #[test]
 fn area_lights_are_refined_only_where_their_corners_differ() {
-    let floor = "FLOOR light_source{-10*z rgb 1 area_light 2*x,2*y,17,17 adaptive 1}";
+    let bare = "FLOOR light_source{-10*z rgb 1 area_light 2*x,2*y,17,17 adaptive 1}";
+    let counts = statistics(bare);
+    assert_eq!((counts.shadow_rays, counts.lights_open), (0, 192));
+    // All light comes through the hole of a ring.
+    let floor = &format!("{bare} disc{{-2*z,z,60,50}}");
     let even = statistics(floor).shadow_rays;
     // Nine places of the grid are the corners of its four quarters.
     assert_eq!(even, 9 * 192);
+    // However many there are, and whatever stands aside.
+    assert_eq!(statistics(&floor.replace("17,17", "65,65")).shadow_rays, even);
+    assert_eq!(statistics(&format!("{floor} sphere{{<9,9,-5>,1}}")).shadow_rays, even);
     assert!(statistics(&format!("{floor} disc{{<.3,.2,-2>,z,.5}}")).shadow_rays > even);
 }

@@ -5,6 +5,7 @@ mod camera;
 mod cost;
 mod endurance;
 mod environment;
+mod extremes;
 mod media;
 mod numerics;
 mod quality;

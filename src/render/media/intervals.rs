@@ -1,7 +1,7 @@
 //! How a stretch is cut into intervals: where lamps begin and end to light it, and as often as the
 //! media ask for (docs/spec/atmosphere-gi.md 2.5 and 2.6).
 
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 
 use crate::world::Range;
 use crate::world::hit::Nearby;
@@ -30,36 +30,33 @@ pub(super) struct Interval {
 }
 
 /// The intervals of a stretch, the nearest first.
-pub(super) fn intervals(rule: &Sampling, beams: &[Beam], length: f64) -> SmallVec<[Interval; 16]> {
+pub(super) fn intervals(rule: &Sampling, beams: &[Beam], length: f64) -> impl Iterator<Item = Interval> {
     let pieces = pieces(beams, length);
-    if let [piece] = pieces[..]
-        && !piece.lit
-        && rule.plain
-    {
-        return smallvec![piece];
-    }
-    let mut intervals = SmallVec::new();
     let count = pieces.len() as u32;
+    let dark = rule.plain && !pieces.iter().any(|piece| piece.lit);
     let weight = |piece: &Interval| if piece.lit { rule.ratio } else { 1.0 - rule.ratio };
     let total: f64 = pieces.iter().map(weight).sum();
-    let wanted = f64::from(rule.intervals.max(count));
-    let mut left = rule.intervals.max(count);
-    for (index, piece) in (0..).zip(&pieces) {
+    let all = rule.intervals.max(count);
+    let mut left = all;
+    let share = |(index, piece): (u32, &Interval)| {
         let parts = if count == 1 {
-            left
+            if dark { 1 } else { left }
         } else {
-            let share = (wanted * weight(piece) / total) as u32;
+            let share = (f64::from(all) * weight(piece) / total) as u32;
             share.saturating_add(1).min((left + index + 1).saturating_sub(count)).max(1)
         };
         left = left.saturating_sub(parts);
+        (*piece, parts)
+    };
+    let shares: SmallVec<[(Interval, u32); 8]> = (0..).zip(&pieces).map(share).collect();
+    shares.into_iter().flat_map(|(piece, parts)| {
         let length = piece.length / f64::from(parts);
-        intervals.extend((0..parts).map(|part| Interval {
+        (0..parts).map(move |part| Interval {
             start: piece.start + f64::from(part) * length,
             length,
-            ..*piece
-        }));
-    }
-    intervals
+            ..piece
+        })
+    })
 }
 
 /// Lit and unlit pieces in turn.
@@ -109,20 +106,20 @@ mod tests {
         Beam { light: 0, reach: Range { min, max }, among: None }
     }
 
-    fn shown(intervals: &[Interval]) -> Vec<(f64, f64, bool)> {
-        intervals.iter().map(|i| (i.start, i.length, i.lit)).collect()
+    fn shown(intervals: impl Iterator<Item = Interval>) -> Vec<(f64, f64, bool)> {
+        intervals.map(|i| (i.start, i.length, i.lit)).collect()
     }
 
     #[test]
     fn plain_media_in_the_dark_are_one_interval() {
-        assert_eq!(shown(&intervals(&rule(7), &[], 4.0)), [(0.0, 4.0, false)]);
+        assert_eq!(shown(intervals(&rule(7), &[], 4.0)), [(0.0, 4.0, false)]);
         let dense = Sampling { plain: false, ..rule(2) };
-        assert_eq!(shown(&intervals(&dense, &[], 4.0)), [(0.0, 2.0, false), (2.0, 2.0, false)]);
+        assert_eq!(shown(intervals(&dense, &[], 4.0)), [(0.0, 2.0, false), (2.0, 2.0, false)]);
     }
 
     #[test]
     fn lit_pieces_get_most_of_the_intervals() {
-        let found = intervals(&rule(10), &[beam(1.0, 3.0)], 4.0);
+        let found: Vec<_> = intervals(&rule(10), &[beam(1.0, 3.0)], 4.0).collect();
         let lit = found.iter().filter(|interval| interval.lit).count();
         // Shares of 10 are 0.9, 8.2 and 0.9: one for the first, eight for the lit, one is left.
         assert_eq!((found.len(), lit), (10, 8));
@@ -132,15 +129,15 @@ mod tests {
     #[test]
     fn overlapping_and_touching_beams_light_one_piece() {
         let beams = [beam(2.0, 3.0), beam(0.0, 1.5), beam(1.0, 2.0)];
-        assert_eq!(shown(&intervals(&rule(1), &beams, 3.0)), [(0.0, 3.0, true)]);
-        assert_eq!(intervals(&rule(1), &[beam(1.0, 3.0)], 3.0).len(), 2);
+        assert_eq!(shown(intervals(&rule(1), &beams, 3.0)), [(0.0, 3.0, true)]);
+        assert_eq!(intervals(&rule(1), &[beam(1.0, 3.0)], 3.0).count(), 2);
     }
 
     #[test]
     fn every_piece_has_an_interval_whatever_the_ratio() {
         for ratio in [-3.0, 0.0, 0.5, 1.0, 7.0, f64::NAN] {
             let rule = Sampling { ratio, ..rule(5) };
-            let found = intervals(&rule, &[beam(1.0, 2.0), beam(3.0, 4.0)], 5.0);
+            let found: Vec<_> = intervals(&rule, &[beam(1.0, 2.0), beam(3.0, 4.0)], 5.0).collect();
             let whole: f64 = found.iter().map(|interval| interval.length).sum();
             assert!((whole - 5.0).abs() < 1e-12, "{ratio}: {found:?}");
         }

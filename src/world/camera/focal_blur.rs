@@ -4,17 +4,18 @@
 use std::f64::consts::{PI, TAU};
 
 use super::{Frame, bokeh};
-use crate::math::DVec2;
 use crate::math::confidence::thresholds;
+use crate::math::{DVec2, DVec3};
 use crate::world::Ray;
 use crate::world::texture::Pigment;
 
 /// A lens and when enough rays went through it.
 #[derive(Clone, Debug)]
 pub struct FocalBlur {
-    frame: Frame,
-    /// Half the aperture: the lens' extent along the camera's axes.
-    radius: f64,
+    /// The middle of the lens.
+    location: DVec3,
+    /// Half the aperture across and upwards: the lens' extent along the camera's axes.
+    axes: [DVec3; 2],
     /// Distance in focus over the length of the camera's direction.
     focus: f64,
     /// Places on the lens, each coordinate from -½ to ½, in the order they are used.
@@ -53,9 +54,11 @@ impl FocalBlur {
             Some(pigment) => (bokeh::places(pigment, most as usize), &[][..], even_spread(most)),
             None => (places(grid, most as usize), grid.batches, grid.spread(most)),
         };
+        let across = frame.up.cross(frame.direction).normalize_or_zero();
+        let upward = frame.direction.cross(across).normalize_or_zero();
         Self {
-            frame: *frame,
-            radius: lens.aperture / 2.0,
+            location: frame.location,
+            axes: [across, upward].map(|axis| lens.aperture / 2.0 * axis),
             focus: lens.distance / frame.direction.length(),
             places,
             spread,
@@ -68,13 +71,16 @@ impl FocalBlur {
     /// The ray of sample `index` for the pinhole direction `direction`, not normalised; `shift` moves
     /// it on the lens, each component from -½ to ½. Wherever the projection's rays start, those of a
     /// lens start at the eye.
-    pub fn ray(&self, direction: crate::math::DVec3, index: usize, shift: DVec2) -> Ray {
-        let Frame { location, up, direction: axis, .. } = self.frame;
-        let across = up.cross(axis).normalize_or_zero();
-        let upward = axis.cross(across).normalize_or_zero();
-        let place = self.radius * (self.places[index] + 2.0 * self.spread * shift);
-        let offset = place.x * across - place.y * upward;
-        Ray::new(location + offset, (direction * self.focus - offset).normalize_or_zero())
+    pub fn ray(&self, direction: DVec3, index: usize, shift: DVec2) -> Ray {
+        let place = self.places[index] + 2.0 * self.spread * shift;
+        let offset = place.x * self.axes[0] - place.y * self.axes[1];
+        Ray::new(self.location + offset, (direction * self.focus - offset).normalize_or_zero())
+    }
+
+    /// The middle of the lens, and the corners of a square around all places where rays start.
+    pub fn extent(&self) -> (DVec3, [DVec3; 4]) {
+        let [x, y] = self.axes.map(|axis| (0.5 + self.spread) * axis);
+        (self.location, [x + y, x - y, y - x, -x - y].map(|corner| self.location + corner))
     }
 
     /// The most rays a pixel gets.

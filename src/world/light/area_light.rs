@@ -22,6 +22,62 @@ pub struct AreaLight {
     pub orient: bool,
     /// Diffuse and highlights use the grid too.
     pub area_illumination: bool,
+    /// What of the grid is the same everywhere.
+    pub plan: Plan,
+}
+
+/// What is known of a grid before anybody looks at it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Plan {
+    /// Where the lights are when they aren't moved, in parts of the axes, row by row.
+    pub places: Vec<DVec2>,
+    /// The share of each in the whole, where all parts are refined whatever is seen; empty otherwise.
+    pub shares: Vec<f32>,
+}
+
+/// Up to this many lights a grid is planned.
+const PLANNED: u32 = 1 << 12;
+
+impl Plan {
+    /// The plan of a grid of so many lights.
+    pub fn new(size: [u32; 2], adaptive: u32, circular: bool) -> Self {
+        let [columns, rows] = size;
+        let count = columns.saturating_mul(rows);
+        let mut shares = vec![0.0; if count <= PLANNED { count as usize } else { 0 }];
+        let whole = [[0, columns.saturating_sub(1)], [0, rows.saturating_sub(1)]];
+        if shares.is_empty() || !share_out(&mut shares, columns, whole, adaptive, 1.0) {
+            return Self::default();
+        }
+        let place = |index: u32| place(size, circular, (index % columns, index / columns), DVec2::ZERO);
+        Self { places: (0..count).map(place).collect(), shares }
+    }
+}
+
+/// Gives a part of a grid its share of the light; false where it depends on what is seen.
+fn share_out(shares: &mut [f32], columns: u32, [u, v]: [[u32; 2]; 2], levels: u32, share: f32) -> bool {
+    let quarter = share / 4.0;
+    if u[1] - u[0] > 1 || v[1] - v[0] > 1 {
+        let mut refine = |part| share_out(shares, columns, part, levels - 1, quarter);
+        return levels > 0 && AreaLight::quarters(u, v).into_iter().all(&mut refine);
+    }
+    for (u, v) in [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])] {
+        shares[(v * columns + u) as usize] += quarter;
+    }
+    true
+}
+
+/// Where light (u, v) of a grid is, in parts of the axes; `shift` moves it by parts of a cell.
+fn place(size: [u32; 2], circular: bool, (u, v): (u32, u32), shift: DVec2) -> DVec2 {
+    let along = |index: u32, shift: f64, size: u32| {
+        if size > 1 { (f64::from(index) + shift) / f64::from(size - 1) - 0.5 } else { 0.0 }
+    };
+    let place = DVec2::new(along(u, shift.x, size[0]), along(v, shift.y, size[1]));
+    if !circular {
+        return place;
+    }
+    let DVec2 { x, y } = place + CIRCULAR_SHIFT;
+    // A square ring of the grid becomes a round one.
+    DVec2::new(x, y) * (x.abs().max(y.abs()) / x.hypot(y))
 }
 
 impl AreaLight {
@@ -60,22 +116,21 @@ impl AreaLight {
         along(self.size[0]).saturating_mul(along(self.size[1]))
     }
 
-    /// Where light (u, v) of the grid is, relative to the light's location; `shift` moves it by
-    /// parts of a cell.
-    pub fn offset(&self, axes: [DVec3; 2], (u, v): (u32, u32), shift: DVec2) -> DVec3 {
-        let place = |index: u32, shift: f64, size: u32| {
-            if size > 1 { (f64::from(index) + shift) / f64::from(size - 1) - 0.5 } else { 0.0 }
-        };
-        let mut x = place(u, shift.x, self.size[0]);
-        let mut y = place(v, shift.y, self.size[1]);
-        if self.circular {
-            x += CIRCULAR_SHIFT;
-            y += CIRCULAR_SHIFT;
-            // A square ring of the grid becomes a round one.
-            let round = x.abs().max(y.abs()) / x.hypot(y);
-            x *= round;
-            y *= round;
-        }
+    /// Where light (u, v) of the grid is, in parts of the axes; `shift` moves it by parts of a cell.
+    pub fn place(&self, place_of: (u32, u32), shift: DVec2) -> DVec2 {
+        place(self.size, self.circular, place_of, shift)
+    }
+
+    /// The same, relative to the light's location.
+    pub fn offset(&self, axes: [DVec3; 2], place: (u32, u32), shift: DVec2) -> DVec3 {
+        let DVec2 { x, y } = self.place(place, shift);
         axes[0] * x + axes[1] * y
+    }
+
+    /// The parts that a part is cut into, by the indices of their corners.
+    pub fn quarters(u: [u32; 2], v: [u32; 2]) -> [[[u32; 2]; 2]; 4] {
+        let low = |[a, b]: [u32; 2]| [a, (a + b) / 2];
+        let high = |[a, b]: [u32; 2]| [(a + b).div_ceil(2), b];
+        [[low(u), low(v)], [high(u), low(v)], [low(u), high(v)], [high(u), high(v)]]
     }
 }

@@ -5,7 +5,7 @@ pub mod cylinder;
 pub mod reach;
 pub mod spotlight;
 
-pub use area_light::AreaLight;
+pub use area_light::{AreaLight, Plan};
 pub use cylinder::Cylinder;
 pub use spotlight::Spotlight;
 

@@ -88,6 +88,7 @@ fn an_oriented_area_light_faces_the_point() {
         circular: true,
         orient: true,
         area_illumination: false,
+        plan: Plan::default(),
     };
     let direction = DVec3::new(1.0, 2.0, -2.0) / 3.0;
     let [a, b] = grid.axes_towards(direction);
@@ -105,6 +106,7 @@ fn a_circular_grid_stays_within_its_disc() {
         circular: true,
         orient: false,
         area_illumination: false,
+        plan: Plan::default(),
     };
     for u in 0..5 {
         for v in 0..5 {

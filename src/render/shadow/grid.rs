@@ -1,0 +1,197 @@
+//! Area lights: which places of a grid are asked, and what they make together
+//! (docs/spec/shading.md 17).
+
+use super::Target;
+use crate::math::wide::widest;
+use crate::math::{DVec2, DVec3, Rgb};
+use crate::render::trace::Tracer;
+use crate::world::accel::{Hull, Points};
+use crate::world::hit::Nearby;
+use crate::world::light::{AreaLight, Incident};
+use crate::world::screen::{OPEN, SHUT, Screen, Verdict};
+use crate::world::{Intersection, Light};
+
+/// Difference between corners of an area light's grid above which the part between is refined.
+const UNEVEN: f32 = 0.1;
+
+/// From so many rays to an area light on it is worth while to look first what may be in their way.
+const MANY_RAYS: u32 = 4;
+
+/// What the places of a grid show, and the room to find that out.
+#[derive(Debug, Default)]
+pub(in crate::render) struct Places {
+    /// The light of each place that was asked.
+    known: Vec<Option<Rgb>>,
+    /// Where the places are, in parts of the axes.
+    moved: Vec<DVec2>,
+    /// The ways to them, by coordinate.
+    ways: [Vec<f64>; 3],
+    verdicts: Vec<Verdict>,
+}
+
+/// A rectangle of an area light's grid, by the indices of its corners.
+#[derive(Clone, Copy)]
+struct Part {
+    u: [u32; 2],
+    v: [u32; 2],
+}
+
+/// An area light as one hit sees it.
+struct Grid<'a> {
+    light: &'a Light,
+    area: &'a AreaLight,
+    axes: [DVec3; 2],
+    center: Incident,
+}
+
+impl Tracer<'_> {
+    /// The objects that may be in the way of an area light that takes many rays; `None` where finding
+    /// them isn't worth while, or they are many.
+    pub(super) fn between(&self, at: &Target, light: &Light, incident: &Incident) -> Option<Nearby> {
+        let area = light.area.as_ref().filter(|_| self.quality.area_lights && !light.runs_parallel())?;
+        if area.least_rays() < MANY_RAYS {
+            return None;
+        }
+        let Intersection { point, geometric, error, .. } = *at.surface;
+        let axes = area.axes_towards(incident.direction);
+        let mut points = Points::new();
+        match origin(at.surface, light, area, axes) {
+            Some(origin) => points.push(origin),
+            None => points.extend([point + error * geometric, point - error * geometric]),
+        }
+        points.extend(area.corners(axes).map(|corner| light.location + corner));
+        let known = points.iter().all(|point| point.is_finite());
+        known.then(|| Hull::new(points)).and_then(|hull| self.world.geometry.between(&hull))
+    }
+
+    /// The light that arrives from an area light.
+    pub(super) fn area_light(
+        &mut self,
+        at: &Target,
+        light: &Light,
+        area: &AreaLight,
+        center: &Incident,
+    ) -> Rgb {
+        let axes = area.axes_towards(center.direction);
+        let grid = Grid { light, area, axes, center: *center };
+        let plain = light.projected_through.is_none() && !light.runs_parallel() && !self.dims(light);
+        if let (Some(among), true, false) = (at.among, plain, area.plan.shares.is_empty())
+            && let Some(origin) = origin(at.surface, light, area, axes)
+        {
+            return self.whole(at, &grid, among, origin);
+        }
+        self.places.known.clear();
+        self.places.known.resize((area.size[0] * area.size[1]) as usize, None);
+        self.part(at, &grid, Part { u: [0, area.size[0] - 1], v: [0, area.size[1] - 1] }, 0)
+    }
+
+    /// The light of a grid every place of which is asked, from a point with few objects around.
+    fn whole(&mut self, at: &Target, grid: &Grid, among: &[Screen], origin: DVec3) -> Rgb {
+        let mut places = std::mem::take(&mut self.places);
+        if grid.area.jitter {
+            places.moved.clear();
+            for index in 0..grid.area.plan.shares.len() as u32 {
+                let shift = self.grid_shift(grid.area);
+                places
+                    .moved
+                    .push(grid.area.place((index % grid.area.size[0], index / grid.area.size[0]), shift));
+            }
+        } else {
+            places.moved.clone_from(&grid.area.plan.places);
+        }
+        self.statistics.shadow_rays += places.moved.len() as u64;
+        places.look(grid.light.location - origin, grid.axes, among, origin);
+        let mut open = 0.0;
+        let mut sum = Rgb::ZERO;
+        let shares = &grid.area.plan.shares;
+        for ((&share, &verdict), &place) in shares.iter().zip(&places.verdicts).zip(&places.moved) {
+            if verdict == OPEN {
+                open += share;
+            } else if verdict != SHUT {
+                sum += share * self.towards(at, grid, grid.axes[0] * place.x + grid.axes[1] * place.y);
+            }
+        }
+        // The sum of the shares is 1 but for rounding.
+        let all = places.verdicts.iter().all(|&verdict| verdict == OPEN);
+        self.places = places;
+        if all { grid.center.color } else { sum + grid.center.color * open }
+    }
+
+    /// The mean light from a part of an area light.
+    fn part(&mut self, at: &Target, grid: &Grid, part: Part, level: u32) -> Rgb {
+        let Part { u, v } = part;
+        let corners =
+            [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])].map(|place| self.place(at, grid, place));
+        let coarse = u[1] - u[0] > 1 || v[1] - v[0] > 1;
+        let unlike = |a: usize, b: usize| (corners[a] - corners[b]).abs().element_sum() > UNEVEN;
+        let uneven = || unlike(0, 1) || unlike(2, 3) || unlike(0, 2) || unlike(1, 3);
+        let [a, b, c, d] = if coarse && (level < grid.area.adaptive || uneven()) {
+            AreaLight::quarters(u, v).map(|[u, v]| self.part(at, grid, Part { u, v }, level + 1))
+        } else {
+            corners
+        };
+        (a + b + c + d) / 4.0
+    }
+
+    /// The light from one place of the grid, traced once for each hit.
+    fn place(&mut self, at: &Target, grid: &Grid, (u, v): (u32, u32)) -> Rgb {
+        let index = (v * grid.area.size[0] + u) as usize;
+        if let Some(known) = self.places.known[index] {
+            return known;
+        }
+        let offset = grid.area.offset(grid.axes, (u, v), self.grid_shift(grid.area));
+        self.statistics.shadow_rays += 1;
+        let color = self.towards(at, grid, offset);
+        self.places.known[index] = Some(color);
+        color
+    }
+
+    /// The light from a place this far from the middle of the grid.
+    fn towards(&mut self, at: &Target, grid: &Grid, offset: DVec3) -> Rgb {
+        let mut incident = grid.light.reaching_from_grid(at.surface.point, offset);
+        incident.color = grid.center.color;
+        self.shadow_ray(at, grid.light, &incident)
+    }
+
+    /// How far a light of a grid is moved, in cells.
+    pub(in crate::render) fn grid_shift(&mut self, area: &AreaLight) -> DVec2 {
+        if area.jitter { DVec2::new(self.random.next() - 0.5, self.random.next() - 0.5) } else { DVec2::ZERO }
+    }
+}
+
+/// Where all rays to an area light start; `None` where some leave on the other side of the surface.
+fn origin(surface: &Intersection, light: &Light, area: &AreaLight, axes: [DVec3; 2]) -> Option<DVec3> {
+    let ways = area.corners(axes).map(|corner| light.location + corner - surface.point);
+    let origins = ways.map(|way| surface.leave(way));
+    origins.iter().all(|&origin| origin == origins[0]).then_some(origins[0])
+}
+
+impl Places {
+    /// Finds out which places `among` leaves open, as far as that is seen without the surfaces.
+    fn look(&mut self, middle: DVec3, [a, b]: [DVec3; 2], among: &[Screen], origin: DVec3) {
+        let Self { moved, ways, verdicts, .. } = self;
+        let count = moved.len();
+        let [x, y, z] = ways.each_mut().map(|way| {
+            way.resize(count, 0.0);
+            &mut way[..count]
+        });
+        verdicts.clear();
+        verdicts.resize(count, OPEN);
+        widest(
+            #[inline(always)]
+            || {
+                for (((place, x), y), z) in moved.iter().zip(&mut *x).zip(&mut *y).zip(&mut *z) {
+                    *x = middle.x + a.x * place.x + b.x * place.y;
+                    *y = middle.y + a.y * place.x + b.y * place.y;
+                    *z = middle.z + a.z * place.x + b.z * place.y;
+                }
+                for screen in among {
+                    let view = screen.from(origin);
+                    for (((verdict, &x), &y), &z) in verdicts.iter_mut().zip(&*x).zip(&*y).zip(&*z) {
+                        *verdict = verdict.max(view.verdict([x, y, z]));
+                    }
+                }
+            },
+        );
+    }
+}

@@ -1,0 +1,178 @@
+//! What may be in the way of light, by a ball around it and one inside of it: most ways miss the one
+//! or meet the other, so that the surface itself need not be asked.
+//!
+//! A verdict is only given where no rounding can change it, so it is the one the surface would give.
+
+use super::object::{Leaf, LeafFlags, Member, RayKind};
+use super::parts::{Object, Parts};
+use super::shape::Primitive;
+use crate::math::{DVec3, Transform};
+
+/// Relative errors of distances and coordinates stay below these.
+const BLUR: f64 = 1e-9;
+const ROUNDING: f64 = 1e-12;
+
+/// An object that may throw a shadow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Screen {
+    /// Its number.
+    pub object: u32,
+    center: DVec3,
+    /// It is in the ball of this radius.
+    outer: f64,
+    /// It fills the ball of this radius, and lets no light through; negative for none.
+    inner: f64,
+}
+
+/// Whether a screen is in the way. The greatest verdict of several screens is that of all.
+pub type Verdict = f64;
+
+/// It isn't.
+pub const OPEN: Verdict = 0.0;
+/// Only the surface knows.
+pub const UNKNOWN: Verdict = 1.0;
+/// It is.
+pub const SHUT: Verdict = 2.0;
+
+/// A screen as a point sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    /// To the balls' middle.
+    toward: DVec3,
+    /// Squared length of the tangents to the balls; where the point is inside one, what no way passes.
+    outer: f64,
+    inner: f64,
+    /// Ways whose middle isn't farther along than this lead away from the outer ball.
+    away: f64,
+}
+
+impl Screen {
+    /// The screen that an object is; `None` for one that throws no shadows.
+    pub(super) fn new(number: u32, object: &Object, parts: &Parts) -> Option<Self> {
+        let bounds = &parts.extent(object.member).bounds;
+        let (mut center, mut outer, mut inner) = (bounds.center(), bounds.size().length() / 2.0, -1.0);
+        if let Member::Leaf(leaf) = object.member {
+            let leaf = parts.leaf(leaf);
+            if leaf.hidden.intersects(RayKind::SHADOW) {
+                return None;
+            }
+            if let Some(balls) = Balls::of(leaf).filter(|_| leaf.limits.is_none()) {
+                (center, outer) = (balls.center, balls.outer);
+                inner = if leaf.flags.contains(LeafFlags::OPAQUE) { balls.inner } else { -1.0 };
+            }
+        }
+        Some(Self { object: number, center, outer, inner })
+    }
+
+    /// Whether it ends on every side.
+    #[inline]
+    pub(super) fn is_bounded(&self) -> bool {
+        self.outer < f64::INFINITY
+    }
+
+    /// The screen as seen from a point.
+    #[inline(always)]
+    pub fn from(&self, point: DVec3) -> View {
+        let toward = self.center - point;
+        let square = toward.length_squared();
+        let rounding = ROUNDING * point.abs().max(self.center.abs()).max_element();
+        let outer = self.outer * (1.0 + BLUR) + rounding;
+        let inner = self.inner * (1.0 - BLUR) - rounding;
+        let outside = square * (1.0 - ROUNDING) - outer * outer;
+        let beyond = square * (1.0 + ROUNDING) - inner * inner;
+        View {
+            toward,
+            outer: if outside > 0.0 { outside } else { f64::NEG_INFINITY },
+            inner: if inner > 0.0 && outside > 0.0 { beyond } else { f64::INFINITY },
+            // Where rays start on a ball it is far enough outside not to meet it again.
+            away: if square > self.outer * self.outer { 0.0 } else { f64::NEG_INFINITY },
+        }
+    }
+}
+
+impl View {
+    /// Whether it is in the way of light that comes along `way`, from its end to the point.
+    #[inline(always)]
+    pub fn verdict(&self, [x, y, z]: [f64; 3]) -> Verdict {
+        let along = self.toward.x * x + self.toward.y * y + self.toward.z * z;
+        let square = x * x + y * y + z * z;
+        let reach = along * along;
+        let misses = (along <= self.away) | (reach < self.outer * square);
+        let meets = (along > 0.0) & (along < square) & (reach > self.inner * square);
+        let verdict = if misses { OPEN } else { UNKNOWN };
+        if meets { SHUT } else { verdict }
+    }
+}
+
+/// The balls of a leaf that is all but round.
+struct Balls {
+    center: DVec3,
+    outer: f64,
+    inner: f64,
+}
+
+impl Balls {
+    fn of(leaf: &Leaf) -> Option<Self> {
+        let own = match &leaf.primitive {
+            Primitive::Sphere(sphere) => {
+                let radius = sphere.radius.abs();
+                Self { center: sphere.center, outer: radius, inner: radius }
+            }
+            Primitive::Box(solid) => {
+                let half = (solid.max - solid.min) / 2.0;
+                Self { center: solid.min + half, outer: half.length(), inner: half.min_element() }
+            }
+            _ => return None,
+        };
+        let Some(transform) = &leaf.transform else { return Some(own) };
+        let scale = scale(transform)?;
+        Some(Self { center: transform.point(own.center), outer: own.outer * scale, inner: own.inner * scale })
+    }
+}
+
+/// How much a transform makes everything larger; `None` where that depends on the direction.
+fn scale(transform: &Transform) -> Option<f64> {
+    let [x, y, z] = DVec3::AXES.map(|axis| transform.vector(axis));
+    let square = x.length_squared();
+    let off = [x.dot(y), y.dot(z), z.dot(x), y.length_squared() - square, z.length_squared() - square];
+    off.iter().all(|off| off.abs() <= ROUNDING * square).then(|| square.sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn verdicts_are_those_of_the_balls() {
+        let mut state = 11_u64;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
+        };
+        let mut seen = [0; 3];
+        for _ in 0..20_000 {
+            let mut point = || 4.0 * DVec3::new(number(), number(), number());
+            let (from, lamp, center) = (point(), point(), point());
+            let inner = 0.3 + number().abs();
+            let outer = inner + number().abs();
+            let way = lamp - from;
+            let nearest = from + way * ((center - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+            let distance = nearest.distance(center);
+            let view = Screen { object: 0, center, outer, inner }.from(from);
+            let verdict = view.verdict(way.to_array());
+            seen[verdict as usize] += 1;
+            assert!(verdict != OPEN || distance > outer, "{from} {lamp} {center} {outer}");
+            assert!(verdict != SHUT || distance < inner, "{from} {lamp} {center} {inner}");
+            assert!(verdict != UNKNOWN || distance < outer * 1.1 || lamp.distance(center) < outer * 4.0);
+        }
+        assert!(seen.iter().all(|&count| count > 1000), "{seen:?}");
+    }
+
+    #[test]
+    fn only_transforms_that_keep_balls_round_have_a_scale() {
+        let turned =
+            Transform::rotate(DVec3::new(20.0, 30.0, 40.0)).then(&Transform::scale(DVec3::splat(3.0)));
+        assert!((scale(&turned).unwrap() - 3.0).abs() < 1e-12);
+        assert_eq!(scale(&Transform::scale(DVec3::new(1.0, 1.0, 2.0))), None);
+    }
+}
