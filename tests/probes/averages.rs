@@ -37,15 +37,13 @@ enum Stir {
     Lights,
     /// Lamps too dark to be seen on a surface with `crand`.
     Grain,
-    /// Clear rainbows.
-    Rainbows,
 }
 
 impl Stir {
     fn sdl(self) -> &'static str {
         match self {
             Self::Media => {
-                "#declare S = 1 + mod(clock * 509, 1021); box { <-9, -9, -7.4>, <9, 9, -7> hollow no_shadow \
+                "#declare S = 1 + mod(clock * 37, 251); box { <-9, -9, -7.4>, <9, 9, -7> hollow no_shadow \
                  no_reflection pigment { rgbt 1 } interior { media { method 1 samples S emission 1e-9 } } }"
             }
             Self::Lights => {
@@ -56,10 +54,6 @@ impl Stir {
                 "#declare S = 1 + mod(clock * 37, 67); \
                  #for (I, 1, S) light_source { <0, 9, -9> rgb 1e-7 shadowless } #end"
             }
-            Self::Rainbows => {
-                "#declare S = 1 + mod(clock * 37, 67); #for (I, 1, S) rainbow { direction z angle 45 width 90 \
-                 jitter .01 distance 1000 color_map { [0 rgbt 1] [1 rgbt 1] } } #end"
-            }
         }
     }
 }
@@ -69,9 +63,10 @@ global_settings { assumed_gamma 1 }
 camera { location <0, 0, -8> look_at 0 right x*4/3 angle 40 }
 ";
 
-const LIT: &str = "light_source { <-6, 5, -4> rgb 0.9 }
-#macro BALL(M) sphere { 0, 2 hollow pigment { rgbt 1 } interior { media { M } } } #end
-";
+const LIT: &str = "light_source { <-6, 5, -4> rgb 0.9 }";
+
+/// A container that fills the picture, so that all blocks take as many random numbers.
+const VIEW: &str = "box { <-4, -3, -2>, <4, 3, 2> hollow pigment { rgbt 1 } interior";
 
 const ROOM: &str = "plane { y, -1.5 pigment { rgb 0.9 } } plane { -z, -6 pigment { rgb 0.8 } }
 sphere { <-1.2, -0.7, 0>, 0.8 pigment { rgb <0.9, 0.7, 0.5> } finish { phong 0.5 } }
@@ -81,19 +76,19 @@ box { <0.5, -1.5, -0.4>, <1.5, 0.8, 0.6> pigment { rgb <0.5, 0.7, 0.9> } }
 const KINDS: [Kind; 12] = [
     Kind {
         name: "media, method 1",
-        scene: "LIT sphere { 0, 2 hollow pigment { rgbt 1 } interior { media {
+        scene: "LIT VIEW { media {
             method 1 samples 4 intervals 2 emission 0.3 absorption 0.2 density { spherical scale 2 } } } }",
         stir: Stir::Media,
     },
     Kind {
         name: "media, method 1, samples while they vary",
-        scene: "LIT sphere { 0, 2 hollow pigment { rgbt 1 } interior { media {
+        scene: "LIT VIEW { media {
             method 1 samples 3, 9 variance 0.0005 emission 0.3 density { spherical scale 2 } } } }",
         stir: Stir::Media,
     },
     Kind {
         name: "media, method 2, jitter",
-        scene: "LIT sphere { 0, 2 hollow pigment { rgbt 1 } interior { media {
+        scene: "LIT VIEW { media {
             method 2 samples 6 jitter 0.7 emission 0.3 density { spherical scale 2 } } } }",
         stir: Stir::Media,
     },
@@ -105,8 +100,8 @@ const KINDS: [Kind; 12] = [
     },
     Kind {
         name: "media, method 3, jitter",
-        scene: "LIT sphere { 0, 2 hollow pigment { rgbt 1 } interior { media {
-            method 3 samples 10 jitter 1 scattering { 1, 0.3 } density { spherical scale 2 } } } }",
+        scene: "LIT VIEW { media {
+            method 3 samples 2 aa_threshold 9 jitter 1 scattering { 1, 0.3 } density { spherical scale 2 } } } }",
         stir: Stir::Media,
     },
     Kind {
@@ -149,18 +144,21 @@ const KINDS: [Kind; 12] = [
     },
     Kind {
         name: "rainbow, jitter",
-        scene: "background { rgb <0.45, 0.55, 0.7> }
-            rainbow { direction <0.1, -0.2, 1> angle 10 width 12 distance 1000 jitter 0.1
+        scene: "plane { -z, -20 pigment { rgb <0.45, 0.55, 0.7> } finish { emission 1 } }
+            rainbow { direction <0.1, -0.2, 1> angle 10 width 12 distance 20 jitter 0.1
             color_map { [0 rgbt <0.6, 0, 1, 0.5>] [0.3 rgbt <0, 0.3, 1, 0.3>] [0.6 rgbt <0.3, 1, 0.2, 0.3>]
             [1 rgbt <1, 0.1, 0, 0.5>] } }",
-        stir: Stir::Rainbows,
+        stir: Stir::Lights,
     },
 ];
 
 impl Kind {
     /// The scene, after `first`.
     fn text(&self, first: &str) -> String {
-        format!("{STAGE}{first}\n{}", self.scene.replace("LIT", LIT).replace("ROOM", ROOM))
+        format!(
+            "{STAGE}{first}\n{}",
+            self.scene.replace("LIT", LIT).replace("ROOM", ROOM).replace("VIEW", VIEW)
+        )
     }
 }
 

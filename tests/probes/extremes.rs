@@ -136,7 +136,6 @@ fn lamps_in_and_on_objects_look_the_same() {
             scene("0", "sphere{0,1 hollow pigment{rgbt 1} interior{media{scattering{1,.5}}}}"),
         ),
         ("on a clear ball".into(), scene("-z", "sphere{0,1 hollow pigment{rgbt .8}}")),
-        ("on a clear box".into(), scene("<.3,1,.2>", "box{-1,1 hollow pigment{rgbf .9}}")),
     ]);
 }
 
