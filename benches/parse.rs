@@ -18,7 +18,7 @@ fn tokens(c: &mut Criterion) {
     text.push_str("} }");
     let source = Source::new("mesh.inc", "", text.into_bytes());
     let mut group = c.benchmark_group("tokens");
-    group.throughput(Throughput::Bytes(source.text.len() as u64));
+    group.throughput(Throughput::Bytes(source.text().len() as u64));
     group.bench_function("literal mesh", |b| {
         b.iter_batched(
             || Symbols::new([]),

@@ -113,7 +113,7 @@ fn snapshot(verdict: &str, checked: &Checked) {
 /// Spans point into their files, labels are not empty text, and no error is said twice.
 fn check_spans(checked: &Checked) {
     let inside = |span: Span| {
-        let text = &checked.sources.get(span.file).text;
+        let text = &checked.sources.get(span.file).text();
         let (start, end) = (span.start as usize, span.end as usize);
         assert!(start <= end && end <= text.len(), "{span:?} lies outside its file");
         assert!(text.is_char_boundary(start) && text.is_char_boundary(end), "{span:?} cuts a character");
@@ -148,7 +148,7 @@ fn check_nodes(source: &Source, tree: &Tree) {
             assert!(link as usize > index && matches!(other.kind, NodeKind::Directive(..)));
         }
     }
-    assert!(end as usize <= source.text.len());
+    assert!(end as usize <= source.text().len());
 }
 
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) {

@@ -26,6 +26,7 @@ pub(super) fn scene(
 ) -> Result<(Scene, Sources), Failure> {
     let (main, mut sources) = open(job).map_err(Failure::Missing)?;
     let scene = interp::interpret(main, &mut sources, options, sink).ok_or(Failure::Scene)?;
+    sources.release();
     Ok((scene, sources))
 }
 

@@ -71,7 +71,7 @@ pub(super) fn fingerprint(sources: &Sources, language: &LanguageOptions, render:
     let rest = (remove_bounds, split_unions, high_reproducibility, declares, version, clock);
     format!("{look:?} {rest:?}").hash(&mut hasher);
     for source in sources.all() {
-        source.text.hash(&mut hasher);
+        source.fingerprint().hash(&mut hasher);
     }
     hasher.finish()
 }

@@ -26,8 +26,8 @@ impl Used {
     }
 
     /// Those of the whole list that are in use.
-    pub(super) fn only<'a, T>(&'a self, all: &'a [T]) -> impl Iterator<Item = &'a T> {
-        all.iter().zip(&self.numbers).filter_map(|(item, number)| number.map(|_| item))
+    pub(super) fn only<T>(&self, all: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
+        all.into_iter().zip(&self.numbers).filter_map(|(item, number)| number.map(|_| item))
     }
 
     /// The new number of one in use.

@@ -22,8 +22,9 @@ use crate::world::{Leaf, Member, RayKind};
 /// Compounds nested deeper than this, after flattening, are refused: rays recurse into them.
 const MOST_NESTED: u32 = 200;
 
-/// Big primitives that several objects share, by the identity of their description.
-pub(super) type ShapeCache = FxHashMap<(*const (), u64), Compiled>;
+/// Big primitives that several objects share, by the identity of their description, which is kept so that
+/// its address stays its own.
+pub(super) type ShapeCache = FxHashMap<(*const (), u64), (Shape, Compiled)>;
 
 impl Flattener<'_> {
     /// What an object has, of its own or inherited.
@@ -170,11 +171,11 @@ impl Flattener<'_> {
         let Some(identity) = identity(primitive, enlarged) else {
             return self.compile(primitive, object, enlarged);
         };
-        if let Some(compiled) = self.shapes.get(&identity) {
+        if let Some((_, compiled)) = self.shapes.get(&identity) {
             return Ok(compiled.clone());
         }
         let compiled = self.compile(primitive, object, enlarged)?;
-        self.shapes.insert(identity, compiled.clone());
+        self.shapes.insert(identity, (primitive.clone(), compiled.clone()));
         Ok(compiled)
     }
 

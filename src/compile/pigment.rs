@@ -18,7 +18,9 @@ impl TextureCompiler<'_> {
             return Ok(compiled.clone());
         }
         let compiled = Arc::new(self.new_pigment(pigment)?);
-        self.pigments.insert(Arc::as_ptr(pigment), (pigment.clone(), compiled.clone()));
+        if Arc::strong_count(pigment) > 1 {
+            self.pigments.insert(Arc::as_ptr(pigment), (pigment.clone(), compiled.clone()));
+        }
         Ok(compiled)
     }
 

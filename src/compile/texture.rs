@@ -94,8 +94,11 @@ impl<'a> TextureCompiler<'a> {
             Some((_, body)) => body.clone(),
             None => {
                 let body = Arc::new(self.body(&texture.body)?);
-                let kept = (texture.body.clone(), body.clone());
-                self.bodies.insert(Arc::as_ptr(&texture.body), kept);
+                // What nothing else shares is not asked for again.
+                if Arc::strong_count(&texture.body) > 1 {
+                    let kept = (texture.body.clone(), body.clone());
+                    self.bodies.insert(Arc::as_ptr(&texture.body), kept);
+                }
                 body
             }
         };

@@ -27,10 +27,12 @@ pub struct Compiled {
 }
 
 /// Compiles a scene.
-pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
+pub fn compile(mut scene: Scene, options: &RenderOptions) -> Compiled {
+    let objects = std::mem::take(&mut scene.objects);
     let mut flattener = Flattener::new(&scene.settings, options.accelerator, options.split_unions);
-    for object in &scene.objects {
-        flattener.add(object);
+    // Each is freed once it is taken apart.
+    for object in objects {
+        flattener.add(&object);
     }
     let mut flat = flattener.finish();
     let mut lacking = std::mem::take(&mut flat.unsupported);
@@ -84,7 +86,7 @@ fn lack_of_settings(scene: &Scene, lacking: &mut Vec<Unsupported>) {
 fn surfaces(flat: &mut Flat, textures: &mut TextureCompiler, lacking: &mut Vec<Unsupported>) -> Vec<Texture> {
     let used = needs::textures(flat);
     let identity = Transform::IDENTITY;
-    let compile = |wanted: &TextureUse| {
+    let compile = |wanted: TextureUse| {
         let outer = wanted.outer.as_deref().unwrap_or(&identity);
         textures.texture(&wanted.texture, outer).or_else(|unsupported| {
             lacking.push(unsupported);
@@ -92,7 +94,8 @@ fn surfaces(flat: &mut Flat, textures: &mut TextureCompiler, lacking: &mut Vec<U
         })
     };
     // The default texture has nothing that could be unsupported.
-    let compiled = used.only(&flat.textures).map(compile).filter_map(Result::ok).collect();
+    let compiled =
+        used.only(std::mem::take(&mut flat.textures)).map(compile).filter_map(Result::ok).collect();
     for leaf in &mut flat.parts.leaves {
         leaf.texture = leaf.texture.map(|number| used.renumbered(number));
         leaf.interior_texture = leaf.interior_texture.map(|number| used.renumbered(number));

@@ -143,7 +143,7 @@ struct Report {
 impl Report {
     fn new(diagnostic: &Diagnostic, sources: &Sources) -> Report {
         let main = diagnostic.span.map(|span| span.file);
-        let code = |source: &Source| Excerpt { name: source.name.clone(), text: Arc::clone(&source.text) };
+        let code = |source: &Source| Excerpt { name: source.name.clone(), text: Arc::clone(source.text()) };
         let mut labels: Vec<LabeledSpan> = Vec::new();
         if let Some(span) = diagnostic.span {
             let text = if diagnostic.label.is_empty() { "here" } else { &diagnostic.label };

@@ -40,6 +40,35 @@ pub(super) enum Op {
     Select,
     /// The next number of a random stream.
     Rand,
+    /// Keeps so many components from the top at a place of the bottom: an argument or a local name.
+    Keep(u8, u16),
+    /// Pushes so many components from a place of the bottom.
+    Kept(u8, u16),
+    /// Gives up when this name stands for something that may not be declared again.
+    Free(Symbol),
+    /// Does something with the text that was built so far.
+    Text(TextOp),
+}
+
+/// One step on the text that is built.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum TextOp {
+    /// Appends a literal.
+    Literal(u16),
+    /// Appends the string a name stands for.
+    Load(Symbol),
+    /// Appends `str` of three numbers.
+    Str,
+    /// Appends the character of a number.
+    Chr,
+    /// Pushes where the text ends at present.
+    Mark,
+    /// Replaces a mark by the length of the text after it, which is removed.
+    Strlen,
+    /// Replaces two marks by the comparison of the texts after each.
+    Strcmp,
+    /// Replaces a mark by the number that the text after it begins with.
+    Val,
 }
 
 /// A compiled expression.
@@ -48,15 +77,34 @@ pub(super) struct Program {
     pub(super) ops: Box<[Op]>,
     /// The node after the expression.
     pub(super) end: usize,
-    /// Components of the result.
+    /// Components of the result; 0 for a string.
     pub(super) n: u8,
     /// What was asked for: with comparisons or not, and how many components.
     pub(super) asked: (bool, u8),
-    /// How often it gave up.
+    /// The macros it has in it, by the names they were called by.
+    pub(super) calls: Box<[(Symbol, Rc<Macro>)]>,
+    /// The strings in it.
+    pub(super) texts: Box<[Box<str>]>,
+    /// How many numbers it keeps at the bottom of the stack.
+    pub(super) places: u16,
+    /// How often it gave up since it last did not.
     pub(super) failures: Cell<u8>,
 }
 
-/// What is known of the expression that starts at a node.
+/// A compiled `#declare` or `#local` of numbers or of a string.
+#[derive(Debug)]
+pub(super) struct Assignment {
+    /// What is declared.
+    pub(super) name: Symbol,
+    /// Whether it is `#local`.
+    pub(super) local: bool,
+    /// How many subscripts of an array's element come before the value.
+    pub(super) subscripts: u8,
+    /// Subscripts, then the value; its end is that of the whole directive.
+    pub(super) program: Program,
+}
+
+/// What is known of the expression that starts at a node, or the declaration.
 #[derive(Clone, Debug, Default)]
 pub(super) enum Slot {
     /// It was never read.
@@ -68,6 +116,8 @@ pub(super) enum Slot {
     Never,
     /// It was compiled.
     Ready(Rc<Program>),
+    /// It is a declaration, and was compiled.
+    Assign(Rc<Assignment>),
 }
 
 /// A file as it is run: its nodes, and the programs of its expressions by the node they start at.

@@ -65,6 +65,12 @@ impl Vm<'_> {
         self.effort.made = self.effort.steps;
     }
 
+    /// Counts so many steps; it is looked at the limits with the next.
+    #[inline]
+    pub(super) fn count(&mut self, steps: u64) {
+        self.effort.steps = self.effort.steps.saturating_add(steps);
+    }
+
     /// Counts so many steps.
     #[inline]
     pub(super) fn work(&mut self, steps: u64, span: Span) -> Result<()> {

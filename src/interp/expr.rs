@@ -185,10 +185,10 @@ impl Vm<'_> {
                 self.take(token);
                 Ok(Tuple::float(value).promoted(n))
             }
-            TokenKind::Vector(index) => {
-                let vector = self.frame.tree.vectors[index as usize];
+            TokenKind::Vector(len, first) => {
+                let vector = Tuple::new(self.frame.tree.vector(len, first));
                 self.take(token);
-                Ok(Tuple { n: vector.len, c: vector.values })
+                Ok(vector)
             }
             TokenKind::Name(symbol) => self.named(symbol, token.span, n),
             TokenKind::Word(word) => match builtin::constant(word) {

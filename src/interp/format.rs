@@ -30,6 +30,40 @@ pub fn format_component(value: f64, length: i32, precision: i32) -> String {
     pad(fixed(value, precision), length.unsigned_abs() as usize, length < 0)
 }
 
+/// Appends the same to a text.
+pub fn append_float(text: &mut String, value: f64, length: i32, precision: i32) {
+    /// What is so near the middle between two results that the exact digits decide.
+    const DOUBT: f64 = 1e-3;
+    let power = usize::try_from(precision).ok().and_then(|p| [1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6].get(p));
+    let scaled = power.map_or(f64::INFINITY, |power| value * power);
+    // Below that the product is exact to far less than the doubt.
+    let far = scaled.is_nan() || scaled.abs() >= 1e12;
+    if length != 0 || far || ((scaled - scaled.floor()) - 0.5).abs() < DOUBT {
+        return text.push_str(&format_float(value, length, precision));
+    }
+    let (power, rounded) = (power.map_or(1, |&power| power as u64), scaled.round().abs() as u64);
+    if value.is_sign_negative() {
+        text.push('-');
+    }
+    append_digits(text, rounded / power, 1);
+    if precision > 0 {
+        text.push('.');
+        append_digits(text, rounded % power, precision as usize);
+    }
+}
+
+/// Appends a whole number with so many digits or more.
+fn append_digits(text: &mut String, number: u64, least: usize) {
+    let mut digits = [b'0'; 20];
+    let (mut first, mut rest) = (digits.len(), number);
+    while rest > 0 || digits.len() - first < least {
+        first -= 1;
+        digits[first] = b'0' + (rest % 10) as u8;
+        rest /= 10;
+    }
+    text.push_str(str::from_utf8(&digits[first..]).unwrap_or_default());
+}
+
 fn fixed(value: f64, precision: usize) -> String {
     special(value).unwrap_or_else(|| format!("{value:.precision$}"))
 }
@@ -119,5 +153,25 @@ mod tests {
     fn dates_count_from_the_start_of_2000() {
         assert_eq!(format_date(0.0, "%Y-%m-%d %H:%M:%SZ").as_deref(), Some("2000-01-01 00:00:00Z"));
         assert_eq!(format_date(1.5, "%H:%M:%S").as_deref(), Some("12:00:00"));
+    }
+
+    #[test]
+    fn what_is_written_fast_is_what_is_written_exactly() {
+        let mut state = 3_u64;
+        for round in 0..200_000_u64 {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            let whole = (state >> 40) as f64 - 8_000_000.0;
+            let value = match round % 4 {
+                0 => whole,
+                1 => whole / 8.0,
+                2 => whole / 1000.0,
+                _ => f64::from_bits(state >> 2),
+            };
+            for precision in -1..=8 {
+                let mut text = String::new();
+                append_float(&mut text, value, 0, precision);
+                assert_eq!(text, format_float(value, 0, precision), "{value:?} with {precision}");
+            }
+        }
     }
 }

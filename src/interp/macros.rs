@@ -22,6 +22,11 @@ impl Vm<'_> {
         let arguments = self.nested(span, |vm| {
             let mut arguments = Vec::with_capacity(called.parameters.len());
             for (given, parameter) in called.parameters.iter().enumerate() {
+                if let Some(place) = vm.replay_argument() {
+                    arguments.push(place);
+                    vm.comma()?;
+                    continue;
+                }
                 let token = vm.peek()?;
                 if token.kind == TokenKind::Punct(Punct::CloseParen) {
                     let wanted = called.parameters.len();

@@ -23,6 +23,12 @@ impl Vm<'_> {
         if self.added < UNNOTICED { Ok(()) } else { self.check_memory(bytes, span) }
     }
 
+    /// The same, but `None`, and nothing counted, when it is time to look.
+    pub(super) fn reserve_unnoticed(&mut self, bytes: usize) -> Option<()> {
+        let added = self.added.saturating_add(bytes);
+        (added < UNNOTICED).then(|| self.added = added)
+    }
+
     /// The same, whenever it is time to look.
     pub(super) fn check_memory(&mut self, bytes: usize, span: Span) -> Result<()> {
         self.added = 0;

@@ -139,8 +139,7 @@ pub struct Vm<'a> {
     warned_of_depth: bool,
     /// Loops that are open.
     loops: u32,
-    /// Where compiled expressions calculate.
-    stack: Vec<f64>,
+    machine: program::Machine,
     /// Levels of nesting of what is being read.
     nesting: u32,
     /// What was done so far, against scenes that are never done.
@@ -242,7 +241,7 @@ impl<'a> Vm<'a> {
             depth: 0,
             warned_of_depth: false,
             loops: 0,
-            stack: Vec::new(),
+            machine: program::Machine::default(),
             nesting: 0,
             effort: effort::Effort::default(),
             added: 0,

@@ -9,7 +9,7 @@ use super::{Fault, Result, Vm, Word};
 use crate::diag::closest;
 use crate::math::{DVec2, DVec3, DVec4};
 use crate::source::Span;
-use crate::syntax::{Punct, Symbol};
+use crate::syntax::{NodeKind, Punct, Symbol};
 
 /// A statement whose brace was opened and is still to be closed.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +63,21 @@ impl Vm<'_> {
     }
 
     /// Takes a comma if there is one.
+    #[inline]
     pub fn comma(&mut self) -> Result<()> {
+        let frame = &self.frame;
+        if self.ahead.is_none()
+            && frame.pos < frame.end
+            && frame.tree.nodes[frame.pos].kind == NodeKind::Punct(Punct::Comma)
+        {
+            self.last = frame.tree.span(frame.pos);
+            self.frame.pos += 1;
+            return Ok(());
+        }
+        self.seek_comma()
+    }
+
+    fn seek_comma(&mut self) -> Result<()> {
         // Most often one look tells; what may run and leave a comma is found out by running it.
         let token = self.peek_raw();
         match token.kind {
@@ -171,7 +185,7 @@ impl Vm<'_> {
     /// Whether a name that stands for nothing is called like a macro.
     fn is_unknown_call(&self, token: Token) -> bool {
         let TokenKind::Name(symbol) = token.kind else { return false };
-        let text = &self.sources.get(token.span.file).text;
+        let text = self.sources.get(token.span.file).text();
         let after = text.get(token.span.end as usize..).unwrap_or_default();
         !self.scopes.is_bound(symbol) && after.trim_start().starts_with('(')
     }
@@ -193,7 +207,7 @@ impl Vm<'_> {
                 }
             }
             TokenKind::Number(_) => format!("the number `{}`", self.sources.text(token.span)),
-            TokenKind::Vector(_) => "a vector".to_owned(),
+            TokenKind::Vector(..) => "a vector".to_owned(),
             TokenKind::Text => "a string".to_owned(),
             TokenKind::Punct(Punct::Hash) => format!("`{}`", self.sources.text(token.span)),
             TokenKind::Punct(punct) => format!("`{}`", punct.text()),
@@ -236,7 +250,7 @@ impl Vm<'_> {
 
     /// The help for operators of other languages.
     fn foreign_operator(&self, token: Token, punct: Punct) -> Option<&'static str> {
-        let text = &self.sources.get(token.span.file).text;
+        let text = self.sources.get(token.span.file).text();
         let before = text.get(..token.span.start as usize).unwrap_or_default();
         Some(match punct {
             Punct::Equal if before.ends_with('=') => "there is no `==`: a single `=` compares",
@@ -265,6 +279,21 @@ impl Vm<'_> {
             self.take(token);
         }
         Ok(picked)
+    }
+
+    /// Whether a name comes next that stands for numbers; nothing is run to find out.
+    pub(super) fn names_number(&mut self) -> bool {
+        match self.peek_raw().kind {
+            TokenKind::Name(symbol) => {
+                self.ahead.is_none()
+                    && self
+                        .scopes
+                        .find(symbol)
+                        .and_then(Place::look)
+                        .is_some_and(|value| matches!(*value, Value::Float(_) | Value::Vector3(_)))
+            }
+            _ => false,
+        }
     }
 
     /// Whether the name that was peeked has a value with an error.
@@ -317,11 +346,40 @@ impl Vm<'_> {
 
     /// Reads an ARITH expression that has to have at most `n` components, and fills it up to `n`.
     fn read_sized(&mut self, n: u8, what: &str) -> Result<Tuple> {
+        let start = self.peek_raw();
+        if let Some(tuple) = self.take_literal(start, n) {
+            return Ok(tuple);
+        }
+        let start = start.span;
         let blocked = std::mem::replace(&mut self.blocked, false);
-        let start = self.peek_raw().span;
         let tuple = self.arith(n);
         self.blocked = blocked;
         self.fit(tuple?, n, what, start)
+    }
+
+    /// Takes the token that was peeked if it is all of an expression with at most `n` components: a number
+    /// or vector before a comma, a brace, or another one. Most of what meshes and arrays consist of is that.
+    #[inline]
+    pub(super) fn take_literal(&mut self, token: Token, n: u8) -> Option<Tuple> {
+        if !matches!(token.kind, TokenKind::Number(_) | TokenKind::Vector(..))
+            || self.frame.pos >= self.frame.end
+        {
+            return None;
+        }
+        let tree = &self.frame.tree;
+        if !matches!(
+            tree.nodes[self.frame.pos].kind,
+            NodeKind::Punct(Punct::Comma | Punct::CloseBrace) | NodeKind::Number(_) | NodeKind::Vector(..)
+        ) {
+            return None;
+        }
+        let tuple = match token.kind {
+            TokenKind::Number(value) => Tuple::float(value).promoted(n),
+            TokenKind::Vector(len, first) if len <= n => Tuple::new(tree.vector(len, first)).padded(n),
+            _ => return None,
+        };
+        self.take(token);
+        Some(tuple)
     }
 
     /// Checks that a tuple has at most `n` components, and fills it up to `n`.
@@ -344,7 +402,7 @@ impl Vm<'_> {
     pub fn at_number(&mut self) -> Result<bool> {
         let token = self.peek()?;
         Ok(match token.kind {
-            TokenKind::Number(_) | TokenKind::Vector(_) => true,
+            TokenKind::Number(_) | TokenKind::Vector(..) => true,
             TokenKind::Punct(punct) => {
                 matches!(punct, Punct::OpenParen | Punct::Less | Punct::Plus | Punct::Minus | Punct::Not)
             }

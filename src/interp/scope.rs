@@ -29,6 +29,17 @@ impl Place {
         Rc::ptr_eq(self.cell(), other.cell())
     }
 
+    /// Whether its name may be declared again, whatever the value.
+    #[inline]
+    pub fn is_free(&self) -> bool {
+        match self {
+            Place::Variable(cell) => {
+                !matches!(*cell.borrow(), Value::Macro(_) | Value::File(_) | Value::Function(_))
+            }
+            Place::Element(..) => false,
+        }
+    }
+
     /// How many elements an assignment copies: those of an array that is shared.
     pub fn copied_elements(&self) -> usize {
         match (self, &*self.cell().borrow()) {
@@ -120,7 +131,9 @@ impl Scopes {
     pub fn leave(&mut self) {
         let scope = self.depth();
         let start = self.starts.pop().unwrap_or(0);
-        for symbol in self.log.drain(start..) {
+        while self.log.len() > start
+            && let Some(symbol) = self.log.pop()
+        {
             let stack = &mut self.stacks[symbol.0 as usize];
             if stack.last().is_some_and(|binding| binding.scope == scope) {
                 stack.pop();
@@ -145,8 +158,10 @@ impl Scopes {
     }
 
     /// What a name stands for in the newest scope, if it was bound there.
+    #[inline]
     pub fn find_local(&self, symbol: Symbol) -> Option<&Place> {
-        self.find_in(self.depth(), symbol)
+        let binding = self.stacks.get(symbol.0 as usize)?.last()?;
+        (binding.scope == self.depth()).then_some(&binding.place)
     }
 
     /// What a name stands for in a scope, if it was bound there.
@@ -167,6 +182,13 @@ impl Scopes {
 
     /// Binds a name in a scope that is still active, perhaps under newer ones.
     pub fn bind_in(&mut self, scope: u32, symbol: Symbol, place: Place) {
+        if scope == self.depth() {
+            if scope > 0 {
+                self.log.push(symbol);
+            }
+            self.stack(symbol).push(Binding { scope, place });
+            return;
+        }
         if scope > 0 {
             // The log of a scope ends where that of the next begins.
             let end = self.starts.get(scope as usize).copied().unwrap_or(self.log.len());

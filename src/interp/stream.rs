@@ -30,8 +30,8 @@ pub enum TokenKind {
     Name(Symbol),
     /// A number.
     Number(f64),
-    /// A vector of plain numbers, by its place among those of the current file.
-    Vector(u32),
+    /// A vector of plain numbers: how many, and the first one's place among those of the current file.
+    Vector(u8, u32),
     /// A string literal.
     Text,
     /// Punctuation. A directive read raw is a [`Punct::Hash`].
@@ -113,7 +113,7 @@ impl Vm<'_> {
             },
             NodeKind::Punct(Punct::Hash) => return Token { kind: TokenKind::Punct(Punct::Hash), span },
             NodeKind::Number(index) => TokenKind::Number(self.frame.tree.numbers[index as usize]),
-            NodeKind::Vector(index) => TokenKind::Vector(index),
+            NodeKind::Vector(len, first) => TokenKind::Vector(len, first),
             NodeKind::Text => TokenKind::Text,
             NodeKind::Punct(punct) => TokenKind::Punct(punct),
             NodeKind::Error(_) => TokenKind::Bad,
@@ -135,17 +135,16 @@ impl Vm<'_> {
     }
 
     /// The node at hand: frames that have ended are left, except the scene file.
+    #[inline(always)]
     pub(super) fn node(&mut self) -> Option<(Node, Span)> {
-        loop {
-            if self.frame.pos < self.frame.end {
-                let node = self.frame.tree.nodes[self.frame.pos];
-                let span = Span { file: self.frame.tree.file, start: node.start, end: node.end };
-                return Some((node, span));
-            }
+        while self.frame.pos >= self.frame.end {
             if !self.leave_frame() {
                 return None;
             }
         }
+        let tree = &self.frame.tree;
+        let node = tree.nodes[self.frame.pos];
+        Some((node, Span { file: tree.file, start: node.start, end: node.end }))
     }
 
     /// Whether `[` follows in the same file or macro.
@@ -172,7 +171,7 @@ impl Vm<'_> {
                     },
                 },
                 NodeKind::Number(index) => TokenKind::Number(self.frame.tree.numbers[index as usize]),
-                NodeKind::Vector(index) => TokenKind::Vector(index),
+                NodeKind::Vector(len, first) => TokenKind::Vector(len, first),
                 NodeKind::Text => TokenKind::Text,
                 NodeKind::Punct(Punct::Hash) => {
                     // Before anything that is no directive a `#` means nothing.
@@ -181,7 +180,12 @@ impl Vm<'_> {
                 }
                 NodeKind::Punct(punct) => TokenKind::Punct(punct),
                 NodeKind::Directive(directive, link) => {
-                    self.run(directive, link, span)?;
+                    let at = self.frame.pos - 1;
+                    if self.is_repeating() && self.rerun(at, directive, link, span)? {
+                        self.work(1, span)?;
+                    } else {
+                        self.run(directive, link, span)?;
+                    }
                     // A directive may have looked one token ahead.
                     match self.ahead {
                         Some(token) => return Ok(token),

@@ -114,10 +114,16 @@ impl Object {
     ///
     /// Textures stay where they are on objects with `uv_mapping` (docs/spec/primitives.md 1.1).
     pub fn apply(&mut self, by: &Transform) {
-        compose(&mut self.transform, by);
         let moves_textures = !self.flags.contains(ObjectFlags::UV_MAPPING);
+        let before = self.transform.clone();
+        compose(&mut self.transform, by);
         if let Some(texture) = self.texture.as_mut().filter(|_| moves_textures) {
-            compose(&mut texture.transform, by);
+            // What was moved together so far shares where it is.
+            if before.as_ref().map(Arc::as_ptr) == texture.transform.as_ref().map(Arc::as_ptr) {
+                texture.transform.clone_from(&self.transform);
+            } else {
+                compose(&mut texture.transform, by);
+            }
         }
         let Some(extra) = self.extra.as_deref_mut() else {
             return;

@@ -14,9 +14,11 @@ pub use permissions::{Folder, Permissions};
 pub use search::{FileKind, Library, Missing};
 pub use span::{FileId, Span};
 
+use rustc_hash::FxHasher;
 use std::borrow::Cow;
+use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// How the bytes of a file became text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,8 +36,11 @@ pub struct Source {
     pub name: String,
     /// Where it was found; empty for text that comes from no file.
     pub path: PathBuf,
-    /// The whole text.
-    pub text: Arc<str>,
+    /// The whole text, unless it was released and nobody has asked for it since.
+    text: OnceLock<Arc<str>>,
+    /// Its length in bytes.
+    length: usize,
+    fingerprint: OnceLock<u64>,
     /// How it was encoded.
     pub encoding: Encoding,
 }
@@ -47,12 +52,42 @@ impl Source {
             Ok(text) => (text, Encoding::Utf8),
             Err(error) => (error.as_bytes().iter().map(|&b| char::from(b)).collect(), Encoding::Latin1),
         };
-        Source { name: name.into(), path: path.into(), text: text.into(), encoding }
+        let (name, path, length) = (name.into(), path.into(), text.len());
+        Source {
+            name,
+            path,
+            text: OnceLock::from(Arc::from(text)),
+            length,
+            fingerprint: OnceLock::new(),
+            encoding,
+        }
+    }
+
+    /// The whole text.
+    pub fn text(&self) -> &Arc<str> {
+        self.text.get_or_init(|| {
+            let again = std::fs::read(&self.path).map(|bytes| Source::new("", "", bytes));
+            match again {
+                Ok(Source { text, length, .. }) if length == self.length => text.into_inner(),
+                // The file has changed or is gone: places in it still are places.
+                _ => None,
+            }
+            .unwrap_or_else(|| " ".repeat(self.length).into())
+        })
+    }
+
+    /// A number that differs when the text does.
+    pub fn fingerprint(&self) -> u64 {
+        *self.fingerprint.get_or_init(|| {
+            let mut hasher = FxHasher::default();
+            self.text().hash(&mut hasher);
+            hasher.finish()
+        })
     }
 
     /// The line and column (both from 1, the column in characters) of a byte position.
     pub fn position(&self, offset: u32) -> (usize, usize) {
-        let before = &self.text[..self.text.floor_char_boundary(offset as usize)];
+        let before = &self.text()[..self.text().floor_char_boundary(offset as usize)];
         let line_start = before.rfind('\n').map_or(0, |at| at + 1);
         (before.bytes().filter(|&b| b == b'\n').count() + 1, before[line_start..].chars().count() + 1)
     }
@@ -70,7 +105,7 @@ impl Source {
         let odd =
             |c: &char| c.is_control() && !matches!(c, '\t' | '\n' | '\r' | '\u{b}' | '\u{c}' | '\u{1a}');
         let (mut seen, mut controls) = (0, 0);
-        for c in self.text.chars().take(512) {
+        for c in self.text().chars().take(512) {
             seen += 1;
             controls += usize::from(odd(&c));
         }
@@ -113,7 +148,7 @@ impl Sources {
         let known = self
             .files
             .iter()
-            .position(|f| f.path == source.path && f.text == source.text && f.name == source.name);
+            .position(|f| f.path == source.path && f.name == source.name && f.text() == source.text());
         match known {
             Some(index) => Ok(FileId(index as u32)),
             None => Ok(self.add(source)),
@@ -133,9 +168,20 @@ impl Sources {
         &self.files
     }
 
+    /// Frees the memory of long files that can be read again: all that is needed of them from now on is the
+    /// odd line in a message.
+    pub fn release(&mut self) {
+        /// Bytes of text that are worth reading again.
+        const LONG: usize = 1 << 20;
+        for file in self.files.iter_mut().filter(|file| file.length > LONG && file.path.is_file()) {
+            file.fingerprint();
+            file.text.take();
+        }
+    }
+
     /// The text under a span.
     pub fn text(&self, span: Span) -> &str {
-        let text = &self.get(span.file).text;
+        let text = self.get(span.file).text();
         &text[text.floor_char_boundary(span.start as usize)..text.floor_char_boundary(span.end as usize)]
     }
 }
@@ -148,7 +194,7 @@ mod tests {
     fn bytes_that_are_not_utf8_are_read_as_latin1() {
         let source = Source::new("a.inc", "", vec![b'"', 0xe9, b'"']);
         assert_eq!(source.encoding, Encoding::Latin1);
-        assert_eq!(&*source.text, "\"é\"");
+        assert_eq!(&**source.text(), "\"é\"");
         assert_eq!(&*source.bytes("é"), [0xe9]);
     }
 
@@ -165,5 +211,20 @@ mod tests {
     fn a_picture_is_no_text() {
         assert!(Source::new("a.png", "", vec![0x89, b'P', 0, 0, 0, 1, 2, 3]).is_binary());
         assert!(!Source::new("a.pov", "", b"sphere { 0, 1 }\r\n\x1a".to_vec()).is_binary());
+    }
+
+    #[test]
+    fn a_long_file_that_was_released_is_read_again_when_it_is_asked_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("long.inc");
+        std::fs::write(&path, "1,\n".repeat(400_000)).unwrap();
+        let mut sources = Sources::default();
+        let file = sources.read(&path).unwrap();
+        sources.release();
+        assert!(sources.get(file).text.get().is_none());
+        assert_eq!(sources.get(file).position(30), (11, 1));
+        sources.release();
+        std::fs::write(&path, "1").unwrap();
+        assert_eq!(sources.get(file).text().len(), 1_200_000);
     }
 }

@@ -7,15 +7,18 @@ mod grammar {
     pub(super) struct Grammar;
 }
 
-use super::tree::{DIRECTIVES, Node, NodeKind, NumberVector, Punct, Tree};
-use super::{Directive, NO_LINK, Symbols};
+use super::tree::{DIRECTIVES, Node, NodeKind, Punct, Tree};
+use super::{Directive, NO_LINK, Symbols, scan};
 use crate::diag::{Diagnostic, Severity};
 use crate::source::{Encoding, FileId, Source, Span};
 use grammar::{Grammar, Rule};
 use pest::Parser;
+use rustc_hash::FxHashMap;
+use std::ops::Range;
 
-/// pest needs about fifty bytes for each byte of text, so a long file is read in pieces.
-const PIECE: usize = 1 << 16;
+/// Stretches of text up to so many bytes are kept, and so many of them.
+const LONGEST_KEPT: usize = 256;
+const MOST_KEPT: usize = 4096;
 /// What may stand between the quotes of a string, in bytes.
 const LONGEST_STRING: usize = 255;
 /// Characters of a name.
@@ -28,8 +31,8 @@ const MOST_ERRORS: usize = 20;
 
 /// Reads a whole file. Words are interned in `symbols`.
 pub fn parse(id: FileId, source: &Source, symbols: &mut Symbols) -> Tree {
-    let mut reader = Reader { tree: Tree::empty(id), depth: 0, source, symbols };
-    if u32::try_from(source.text.len()).is_err() {
+    let mut reader = Reader::new(id, source, symbols);
+    if u32::try_from(source.text().len()).is_err() {
         reader.error(0, 0, "this file is longer than 4 GiB", "split it, and `#include` the parts");
     } else if source.is_binary() {
         reader.error(0, 0, "this file is not text", "a scene is a text file; was a picture given instead?");
@@ -43,9 +46,9 @@ pub fn parse(id: FileId, source: &Source, symbols: &mut Symbols) -> Tree {
 /// Reads a vector of plain numbers again as the marks and numbers it is written with: after an operand
 /// its `<` compares.
 pub fn parse_marks(span: Span, source: &Source, symbols: &mut Symbols) -> Tree {
-    let mut reader = Reader { tree: Tree::empty(span.file), depth: 0, source, symbols };
+    let mut reader = Reader::new(span.file, source, symbols);
     let start = span.start as usize;
-    let marks = Grammar::parse(Rule::marks, &source.text[start..span.end as usize]);
+    let marks = Grammar::parse(Rule::marks, &source.text()[start..span.end as usize]);
     for pair in marks.into_iter().flatten().flat_map(|marks| marks.into_inner()) {
         if matches!(pair.as_rule(), Rule::number | Rule::punct) {
             reader.token(pair.as_rule(), pair.as_str(), start + pair.as_span().start());
@@ -60,45 +63,108 @@ struct Reader<'a> {
     depth: i32,
     source: &'a Source,
     symbols: &'a mut Symbols,
+    /// What stretches of text that were met are made of: long files repeat a few.
+    known: FxHashMap<&'a str, Known>,
+    /// The nodes of those, placed as if each stretch began its file.
+    kept: Vec<Node>,
 }
 
-impl Reader<'_> {
+/// A stretch of text that was read.
+#[derive(Clone)]
+struct Known {
+    /// Its nodes among those kept.
+    nodes: Range<usize>,
+    /// How many more brackets, braces and directives are open after it.
+    depth: i32,
+}
+
+impl<'a> Reader<'a> {
+    fn new(file: FileId, source: &'a Source, symbols: &'a mut Symbols) -> Reader<'a> {
+        let tree = Tree::empty(file);
+        Reader { tree, depth: 0, source, symbols, known: FxHashMap::default(), kept: Vec::new() }
+    }
+
+    /// Reads the file: plain numbers here, what is between them by pest.
     fn read(&mut self) {
-        let text = &*self.source.text;
-        let (mut start, mut size) = (0, PIECE);
-        while start < text.len() {
-            let end = piece_end(text, start, size);
-            let nodes = self.tree.nodes.len();
-            let again = self.piece(start, &text[start..end], end == text.len());
-            if self.depth >= DEEPEST {
-                return;
-            }
-            if again == start {
-                self.tree.nodes.truncate(nodes);
-                size *= 2;
-            } else {
-                size = PIECE;
-            }
-            start = again;
+        let source = self.source;
+        let bytes = source.text().as_bytes();
+        let mut at = 0;
+        while at < bytes.len() && self.depth < DEEPEST {
+            at = match bytes[at] {
+                byte if scan::is_blank(byte) => scan::skip_blanks(bytes, at),
+                b',' => self.push(NodeKind::Punct(Punct::Comma), at, at + 1),
+                b'<' if scan::at_vector(bytes, at) => self.vector(bytes, at),
+                _ => match scan::at_number(bytes, at).then(|| scan::number(bytes, at)).flatten() {
+                    Some((value, end)) => {
+                        self.tree.numbers.push(value);
+                        self.push(NodeKind::Number(self.tree.numbers.len() as u32 - 1), at, end)
+                    }
+                    None => self.stretch(at, scan::stretch(bytes, at)),
+                },
+            };
         }
     }
 
-    /// Reads one piece, and says where the next one starts: before this one's end when its last
-    /// token goes on in the next.
-    fn piece(&mut self, offset: usize, text: &str, last: bool) -> usize {
+    fn push(&mut self, kind: NodeKind, start: usize, end: usize) -> usize {
+        self.tree.nodes.push(Node { kind, start: start as u32, end: end as u32 });
+        end
+    }
+
+    /// Reads the vector of plain numbers that may start here, or just its `<`.
+    fn vector(&mut self, bytes: &[u8], at: usize) -> usize {
+        let first = self.tree.numbers.len() as u32;
+        match scan::vector(bytes, at, &mut self.tree.numbers) {
+            Some((len, end)) => self.push(NodeKind::Vector(len, first), at, end),
+            None => self.push(NodeKind::Punct(Punct::Less), at, at + 1),
+        }
+    }
+
+    /// Reads a stretch of text, or remembers what it is made of, and says where to go on.
+    fn stretch(&mut self, start: usize, end: usize) -> usize {
+        let source = self.source;
+        let text = &source.text()[start..end];
+        if let Some(known) = self.known.get(text).cloned()
+            && self.depth + (known.nodes.len() as i32) < DEEPEST
+        {
+            let offset = start as u32;
+            let nodes = self.kept[known.nodes].iter();
+            self.tree.nodes.extend(nodes.map(|node| Node {
+                start: node.start + offset,
+                end: node.end + offset,
+                ..*node
+            }));
+            self.depth += known.depth;
+            return end;
+        }
+        let (nodes, errors, depth) = (self.tree.nodes.len(), self.tree.errors.len(), self.depth);
+        let next = self.piece(start, text);
+        if text.len() <= LONGEST_KEPT && self.known.len() < MOST_KEPT && self.tree.errors.len() == errors {
+            let first = self.kept.len();
+            let offset = start as u32;
+            let nodes = self.tree.nodes[nodes..].iter();
+            self.kept.extend(nodes.map(|node| Node {
+                start: node.start - offset,
+                end: node.end - offset,
+                ..*node
+            }));
+            let known = Known { nodes: first..self.kept.len(), depth: self.depth - depth };
+            self.known.insert(text, known);
+        }
+        next
+    }
+
+    /// Reads a piece of text by pest, and says where to go on.
+    fn piece(&mut self, offset: usize, text: &str) -> usize {
         let pairs = match Grammar::parse(Rule::piece, text) {
             Ok(pairs) => pairs,
             Err(_) => {
                 // Every character fits some rule, so only pest's own limit on nesting is left.
                 self.error(offset, offset, "comments are nested too deeply here", "remove some of the `/*`");
-                return self.source.text.len();
+                return self.source.text().len();
             }
         };
         for pair in pairs.flat_map(|piece| piece.into_inner()) {
             let (rule, span) = (pair.as_rule(), pair.as_span());
-            if matches!(rule, Rule::unclosed_comment | Rule::unclosed_string) && !last {
-                return offset + span.start();
-            }
             match rule {
                 Rule::block_rest | Rule::line_text | Rule::block_text | Rule::EOI => {}
                 _ => self.token(rule, span.as_str(), offset + span.start()),
@@ -110,11 +176,7 @@ impl Reader<'_> {
                 break;
             }
         }
-        // The word of a directive may stand in the next piece.
-        match self.tree.nodes.pop_if(|node| node.kind == NodeKind::Punct(Punct::Hash) && !last) {
-            Some(hash) if hash.start as usize >= offset => hash.start as usize,
-            _ => offset + text.len(),
-        }
+        offset + text.len()
     }
 
     fn token(&mut self, rule: Rule, text: &str, start: usize) {
@@ -125,11 +187,12 @@ impl Reader<'_> {
             }
             Rule::word => NodeKind::Word(self.symbols.intern(text)),
             Rule::vector => {
-                self.tree.vectors.push(vector(text));
-                NodeKind::Vector(self.tree.vectors.len() as u32 - 1)
+                self.vector(self.source.text().as_bytes(), start);
+                return;
             }
             Rule::number => {
-                self.tree.numbers.push(number(text));
+                let (value, _) = scan::number(text.as_bytes(), 0).unwrap_or((f64::NAN, 0));
+                self.tree.numbers.push(value);
                 NodeKind::Number(self.tree.numbers.len() as u32 - 1)
             }
             Rule::string if self.bytes(text) - 2 > LONGEST_STRING => {
@@ -222,39 +285,6 @@ impl Reader<'_> {
     }
 }
 
-/// The end of a piece that starts at `start`: where a token is not cut, if there is such a place.
-fn piece_end(text: &str, start: usize, size: usize) -> usize {
-    if text.len() - start <= size {
-        return text.len();
-    }
-    let end = text.floor_char_boundary(start + size);
-    // Some programs write all of a mesh on one line.
-    let piece = &text[start..end];
-    let cut = piece.rfind('\n').or_else(|| piece.rfind([' ', ',', '\t']));
-    cut.map_or(end, |at| start + at + 1)
-}
-
-/// `1e` and `1e+` are numbers in a scene but not in Rust.
-fn number(text: &str) -> f64 {
-    text.trim_end_matches(['+', '-']).trim_end_matches(['e', 'E']).parse().unwrap_or(f64::NAN)
-}
-
-fn vector(text: &str) -> NumberVector {
-    let mut vector = NumberVector { values: [0.0; 5], len: 0 };
-    let inner = &text[1..text.len() - 1];
-    for (slot, part) in vector.values.iter_mut().zip(inner.split(',')) {
-        let part = part.trim_matches(|c: char| c.is_ascii_whitespace() || c.is_control());
-        if !part.is_empty() {
-            *slot = match part.strip_prefix('-') {
-                Some(positive) => -number(positive),
-                None => number(part.strip_prefix('+').unwrap_or(part)),
-            };
-            vector.len += 1;
-        }
-    }
-    vector
-}
-
 fn directive(text: &str) -> Option<super::Directive> {
     let start = text.rfind(|c: char| !c.is_ascii_alphabetic()).map_or(0, |at| at + 1);
     DIRECTIVES.iter().find(|(word, _)| *word == &text[start..]).map(|&(_, directive)| directive)
@@ -279,7 +309,7 @@ mod tests {
         let tail = "#  \n declare A = \"b c\"; /* d \n e */ <1.5, -2e3, 3> 12345 # // f\n macro G() #end";
         let alone = kinds(tail);
         for cut in 0..tail.len() {
-            let padded = " ".repeat(PIECE - cut) + tail;
+            let padded = " ".repeat((1 << 16) - cut) + tail;
             assert_eq!(kinds(&padded).len(), alone.len(), "cut before {:?}", &tail[cut..]);
         }
     }
@@ -294,7 +324,13 @@ mod tests {
     #[test]
     fn a_vector_of_plain_numbers_is_one_node() {
         let (tree, _) = read("<1, -2.5 , +3e2,> <1 -1 0> <1,2,3,4,5,6> <1,2>= 3");
-        assert_eq!(tree.vectors, [NumberVector { values: [1.0, -2.5, 300.0, 0.0, 0.0], len: 3 }]);
+        let vectors: Vec<NodeKind> = tree
+            .nodes
+            .iter()
+            .map(|node| node.kind)
+            .filter(|kind| matches!(kind, NodeKind::Vector(..)))
+            .collect();
+        assert_eq!((vectors, &tree.numbers[..3]), (vec![NodeKind::Vector(3, 0)], &[1.0, -2.5, 300.0][..]));
     }
 
     #[test]
@@ -328,5 +364,123 @@ mod tests {
             })
             .collect();
         assert_eq!(links, [4, 10, 9, NO_LINK, NO_LINK, NO_LINK, NO_LINK]);
+    }
+
+    /// Reads all of a text by pest.
+    fn by_pest(text: &str) -> Tree {
+        let source = Source::new("a.pov", "", text.into());
+        let mut symbols = Symbols::new([]);
+        let mut reader = Reader::new(FileId(0), &source, &mut symbols);
+        reader.piece(0, source.text());
+        crate::syntax::link::link(&mut reader.tree.nodes);
+        reader.tree
+    }
+
+    fn assert_read_alike(text: &str, name: &str) {
+        let (scanned, parsed) = (read(text).0, by_pest(text));
+        for (index, (a, b)) in scanned.nodes.iter().zip(&parsed.nodes).enumerate() {
+            assert_eq!(a, b, "node {index} of {name}");
+        }
+        assert_eq!(scanned.nodes.len(), parsed.nodes.len(), "{name}");
+        let bits = |tree: &Tree| tree.numbers.iter().map(|n| n.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(&scanned), bits(&parsed), "{name}");
+        assert_eq!(scanned.errors, parsed.errors, "{name}");
+    }
+
+    #[test]
+    fn what_is_scanned_is_what_pest_reads() {
+        let parts = [
+            "1",
+            "23.5",
+            ".5",
+            "2.",
+            "1e5",
+            "1E-3",
+            "1e",
+            "1e+",
+            "..",
+            ".",
+            "-",
+            "+",
+            "<",
+            ">",
+            "<=",
+            "=",
+            ",",
+            " ",
+            "\n",
+            "\t",
+            "<1,2>",
+            "<1, -2 , 3>",
+            "< .5,1e2,>",
+            "<1,",
+            "\"s 1\"",
+            "\"",
+            "\\",
+            "// 1\n",
+            "/* 2 */",
+            "/*",
+            "*/",
+            "#",
+            "if",
+            "end",
+            "declare",
+            "x",
+            "_a1",
+            "e",
+            "(",
+            ")",
+            "é",
+            "{",
+            "}",
+            ";",
+            "\u{1a}",
+        ];
+        let mut state = 1_u64;
+        let mut random = move |limit: usize| {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 33) as usize % limit
+        };
+        for _ in 0..60_000 {
+            let count = 1 + random(12);
+            let text: String = (0..count).map(|_| parts[random(parts.len())]).collect();
+            assert_read_alike(&text, &format!("{text:?}"));
+        }
+    }
+
+    #[test]
+    fn installed_files_are_scanned_as_pest_reads_them() {
+        for folder in ["/usr/share/povray-3.7/include", "/usr/share/doc/povray/examples"] {
+            let mut folders = vec![std::path::PathBuf::from(folder)];
+            while let Some(folder) = folders.pop() {
+                for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+                    let path = entry.path();
+                    match path.extension().and_then(|e| e.to_str()) {
+                        Some("pov" | "inc") => {
+                            let source = Source::new("", &path, std::fs::read(&path).unwrap());
+                            assert_read_alike(source.text(), &path.display().to_string());
+                        }
+                        None if path.is_dir() => folders.push(path),
+                        _ => {}
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_are_the_nearest_doubles() {
+        let mut state = 7_u64;
+        for round in 0..100_000_u64 {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            let (whole, part) = (state >> (20 + round % 40), state >> (30 + round % 31) & 0xffff_ffff);
+            let text = match round % 3 {
+                0 => format!("{whole}.{part}"),
+                1 => format!("{whole}.{part}e{}", (state >> 50) as i32 % 40 - 20),
+                _ => format!(".{part}{whole}"),
+            };
+            let expected: f64 = text.parse().unwrap();
+            assert_eq!(scan::number(text.as_bytes(), 0), Some((expected, text.len())), "{text}");
+        }
     }
 }

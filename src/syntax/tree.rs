@@ -22,8 +22,8 @@ pub enum NodeKind {
     Word(Symbol),
     /// A number, by its place in [`Tree::numbers`].
     Number(u32),
-    /// A vector of plain numbers, by its place in [`Tree::vectors`].
-    Vector(u32),
+    /// A vector of two to five plain numbers: how many, and the first one's place in [`Tree::numbers`].
+    Vector(u8, u32),
     /// A string, its quotes included in the span.
     Text,
     /// Punctuation.
@@ -38,15 +38,6 @@ pub enum NodeKind {
 
 /// The link of a directive that leads nowhere in its file.
 pub const NO_LINK: u32 = u32::MAX;
-
-/// Two to five numbers between angle brackets.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NumberVector {
-    /// The numbers, then zeros.
-    pub values: [f64; 5],
-    /// How many were written.
-    pub len: u8,
-}
 
 /// Punctuation marks. Those after `Hash` are read, but mean nothing anywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -227,10 +218,8 @@ pub struct Tree {
     pub file: FileId,
     /// The tokens.
     pub nodes: Vec<Node>,
-    /// The values of numbers.
+    /// The values of numbers, and of those in vectors.
     pub numbers: Vec<f64>,
-    /// The values of vectors of plain numbers.
-    pub vectors: Vec<NumberVector>,
     /// What is wrong with the text itself.
     pub errors: Vec<Diagnostic>,
 }
@@ -238,7 +227,13 @@ pub struct Tree {
 impl Tree {
     /// A file without tokens.
     pub fn empty(file: FileId) -> Tree {
-        Tree { file, nodes: Vec::new(), numbers: Vec::new(), vectors: Vec::new(), errors: Vec::new() }
+        Tree { file, nodes: Vec::new(), numbers: Vec::new(), errors: Vec::new() }
+    }
+
+    /// The numbers of a vector of plain numbers: how many, and the first one's place.
+    pub fn vector(&self, len: u8, first: u32) -> &[f64] {
+        let first = first as usize;
+        &self.numbers[first..first + usize::from(len)]
     }
 
     /// The span of the node at an index, or the empty one at the end of the text.

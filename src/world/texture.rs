@@ -73,10 +73,19 @@ pub struct Layer {
     pub finish: Arc<Finish>,
 }
 
+impl TextureBody {
+    /// Whether it looks the same wherever it is.
+    fn is_everywhere_alike(&self) -> bool {
+        let alike = |layer: &Layer| matches!(*layer.pigment, Pigment::Color(_)) && layer.normal.is_none();
+        matches!(self, Self::Layered { layers, .. } if layers.iter().all(alike))
+    }
+}
+
 impl Texture {
     /// A texture and the way from its space to the world.
     pub fn new(body: Arc<TextureBody>, placement: &Transform) -> Self {
-        let step = (!placement.is_identity()).then(|| Warp::Transform(Box::new(*placement)));
+        let step = (!placement.is_identity() && !body.is_everywhere_alike())
+            .then(|| Warp::Transform(Box::new(*placement)));
         Self { body, placement: Warps::new(step) }
     }
 

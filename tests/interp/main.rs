@@ -15,6 +15,7 @@ mod limits;
 mod macros;
 mod old_versions;
 mod povray;
+mod replay;
 mod strings;
 
 use povista::diag::Severity;

@@ -39,7 +39,7 @@ impl Vm<'_> {
     }
 
     /// Goes on in the arm a condition asks for.
-    fn choose(&mut self, holds: Result<bool>, link: u32, span: Span) -> Result<()> {
+    pub(in crate::interp) fn choose(&mut self, holds: Result<bool>, link: u32, span: Span) -> Result<()> {
         let mut link = link;
         let mut holds = match holds {
             Ok(holds) => holds,
@@ -177,7 +177,7 @@ impl Vm<'_> {
     }
 
     /// `#elseif`, `#else`, `#case`, `#range`: the end of the arm that ran.
-    pub(super) fn next_arm(&mut self, directive: Directive, link: u32, span: Span) -> Result<()> {
+    pub(in crate::interp) fn next_arm(&mut self, directive: Directive, link: u32, span: Span) -> Result<()> {
         if self.blocks.len() <= self.frame.blocks && self.in_macro() {
             return Err(self.stray(directive, span));
         }

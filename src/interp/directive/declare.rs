@@ -284,6 +284,11 @@ impl Vm<'_> {
 
     /// Reads a value for an array.
     pub(in crate::interp) fn read_element(&mut self) -> Result<Value> {
+        let token = self.peek()?;
+        let n = if let TokenKind::Vector(len, _) = token.kind { len } else { 1 };
+        if let Some(tuple) = self.take_literal(token, n) {
+            return Ok(tuple.into());
+        }
         Ok(self.read_rvalue(None)?.value)
     }
 
@@ -293,7 +298,7 @@ impl Vm<'_> {
         let token = self.peek()?;
         match token.kind {
             TokenKind::Name(symbol) => self.read_named(token, symbol, alias),
-            TokenKind::Number(_) | TokenKind::Vector(_) | TokenKind::Punct(_) => self.read_numbers(),
+            TokenKind::Number(_) | TokenKind::Vector(..) | TokenKind::Punct(_) => self.read_numbers(),
             TokenKind::Text => self.read_text(),
             TokenKind::Word(Word::T) => {
                 let fault = self.expected("a value");

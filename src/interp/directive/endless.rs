@@ -12,7 +12,7 @@ use std::ops::Range;
 use std::rc::Rc;
 
 /// Turns of a `#while` before it is looked at: most loops are done by then.
-pub(super) const PATIENCE: u64 = 100;
+pub(in crate::interp) const PATIENCE: u64 = 100;
 
 impl Vm<'_> {
     /// The error for a `#while` between two nodes of the file at hand, if it never ends.
@@ -64,7 +64,7 @@ impl Vm<'_> {
                     None if self.macro_of(symbol).is_some() => return None,
                     None => names.push(symbol),
                 },
-                NodeKind::Number(_) | NodeKind::Vector(_) | NodeKind::Text | NodeKind::Punct(_) => {}
+                NodeKind::Number(_) | NodeKind::Vector(..) | NodeKind::Text | NodeKind::Punct(_) => {}
             }
         }
         None
@@ -135,7 +135,7 @@ impl Search<'_, '_> {
                 },
             },
             NodeKind::Error(_) => false,
-            NodeKind::Number(_) | NodeKind::Vector(_) | NodeKind::Text | NodeKind::Punct(_) => true,
+            NodeKind::Number(_) | NodeKind::Vector(..) | NodeKind::Text | NodeKind::Punct(_) => true,
         })
     }
 

@@ -202,10 +202,7 @@ impl Data<'_> {
             NodeKind::Punct(sign @ (Punct::Minus | Punct::Plus)) => {
                 Ok(Some(Value::Float(self.signed(vm, sign)?)))
             }
-            NodeKind::Vector(index) => {
-                let vector = self.tree.vectors[index as usize];
-                Ok(Some(Tuple { n: vector.len, c: vector.values }.into()))
-            }
+            NodeKind::Vector(len, first) => Ok(Some(Tuple::new(self.tree.vector(len, first)).into())),
             NodeKind::Punct(Punct::Less) => self.vector(vm).map(Some),
             NodeKind::Text => vm.literal(span).map(|text| Some(Value::Text(text))),
             NodeKind::Error(index) => {

@@ -12,6 +12,7 @@ mod repeat;
 mod version;
 
 pub(super) use branch::BlockKind;
+pub(super) use endless::PATIENCE;
 
 use super::{Result, Vm};
 use crate::source::Span;

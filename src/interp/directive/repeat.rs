@@ -106,16 +106,30 @@ impl Vm<'_> {
     }
 
     /// `#end` of a `#for`: counts on.
-    pub(super) fn end_for(&mut self) -> Result<()> {
+    pub(in crate::interp) fn end_for(&mut self) -> Result<()> {
         let Some(open) = self.blocks.last_mut() else { return Ok(()) };
         let span = open.span;
         let BlockKind::For { name, last, step, body, end, turns } = &mut open.kind else { return Ok(()) };
         *turns += 1;
         let (name, last, step, body, end) = (*name, *last, *step, *body, *end);
-        let place = self.scopes.find_local(name).cloned();
-        let Some((place, Value::Float(value))) =
-            place.and_then(|place| place.get().map(|value| (place, value)))
-        else {
+        let mut value = None;
+        match self.scopes.find_local(name) {
+            // By far the most frequent.
+            Some(Place::Variable(cell)) => {
+                if let Value::Float(counted) = &mut *cell.borrow_mut() {
+                    *counted += step;
+                    value = Some(*counted);
+                }
+            }
+            Some(place @ Place::Element(..)) => {
+                if let Some(Value::Float(counted)) = place.get() {
+                    drop(place.set(Value::Float(counted + step)));
+                    value = Some(counted + step);
+                }
+            }
+            None => {}
+        }
+        let Some(value) = value else {
             self.pop_block();
             let text = format!(
                 "`{}` is no number any more at the end of the `#for` that counts with it",
@@ -124,8 +138,6 @@ impl Vm<'_> {
             let fault = self.error(span, text);
             return Err(fault.help("do not `#undef` it, or give it a value of another kind, in the body"));
         };
-        let value = value + step;
-        drop(place.set(Value::Float(value)));
         let over = if step > 0.0 { value > last + EPSILON } else { value < last - EPSILON };
         if over {
             self.pop_block();

@@ -121,7 +121,7 @@ impl Body {
         let token = vm.peek()?;
         Ok(match token.kind {
             TokenKind::Punct(punct) => operator(level, punct),
-            TokenKind::Vector(_) if level == COMPARISONS => {
+            TokenKind::Vector(..) if level == COMPARISONS => {
                 vm.split_vector(token.span);
                 Some(BinaryOp::Less)
             }
@@ -179,7 +179,7 @@ impl Body {
                 Ok(constant(vm.options.clock.value))
             }
             TokenKind::Word(word) => self.word(vm, token, word),
-            TokenKind::Vector(_)
+            TokenKind::Vector(..)
             | TokenKind::Text
             | TokenKind::Punct(_)
             | TokenKind::Bad

@@ -2,66 +2,179 @@
 //!
 //! Whatever is rare is left to `expr`: then there is no program.
 
+use super::inline::Bound;
+use super::machine::fits;
 use crate::interp::builtin::{self, float};
-use crate::interp::code::{Op, Program};
+use crate::interp::code::{Assignment, Code, Macro, Op, Program};
 use crate::interp::expr::{comparison, component};
 use crate::interp::scope::Place;
 use crate::interp::tuple::test;
 use crate::interp::value::Value;
 use crate::interp::{Vm, Word};
-use crate::syntax::{NodeKind, Punct, Symbol, Tree};
+use crate::syntax::{Directive, NodeKind, Punct, Symbol};
 use std::cell::Cell;
+use std::rc::Rc;
 
 /// Parentheses inside each other that are worth compiling.
 const DEEPEST: u32 = 30;
+/// What is asked for where a color in braces is.
+pub(super) const COLOR: (bool, u8) = (true, 0);
 
 impl Vm<'_> {
     /// Compiles the expression at a node, if it is of the plain kind.
     pub(super) fn compile(&self, at: usize, asked: (bool, u8)) -> Option<Program> {
-        let frame = &self.frame;
-        let mut compiler =
-            Compiler { vm: self, tree: &frame.tree, at, end: frame.end, depth: 0, ops: Vec::new() };
+        if asked == COLOR {
+            return self.compile_color(at);
+        }
+        let mut compiler = Compiler::new(self, at);
         let n = if asked.0 { compiler.full(asked.1)? } else { compiler.arith(asked.1)? };
-        let end = compiler.at;
+        let end = compiler.end()?;
         // What follows must not turn out to continue the expression once it has run.
-        let ends = end < frame.end
-            && match frame.tree.nodes[end].kind {
-                NodeKind::Punct(punct) => punct != Punct::Hash,
-                NodeKind::Number(_) | NodeKind::Vector(_) | NodeKind::Text => true,
-                NodeKind::Word(symbol) => Word::of(symbol).is_some(),
-                NodeKind::Directive(..) | NodeKind::Error(_) => self.blocked,
-            };
-        let ops = compiler.ops.into_boxed_slice();
-        (ends && end > at).then(|| Program { ops, end, n, asked, failures: Cell::new(0) })
+        let ends = match compiler.kind()? {
+            NodeKind::Punct(punct) => punct != Punct::Hash,
+            NodeKind::Number(_) | NodeKind::Vector(..) | NodeKind::Text => true,
+            NodeKind::Word(symbol) => Word::of(symbol).is_some(),
+            NodeKind::Directive(..) | NodeKind::Error(_) => self.blocked,
+        };
+        if ends && end > at { compiler.program(end, n, asked) } else { None }
+    }
+
+    /// Compiles a `{ rgb … }` at a node, which may say `color` too.
+    fn compile_color(&self, at: usize) -> Option<Program> {
+        let mut compiler = Compiler::new(self, at);
+        compiler.skip(Punct::OpenBrace)?;
+        let mut word = compiler.reserved()?;
+        if matches!(word, Word::Color | Word::Colour) {
+            word = compiler.reserved()?;
+        }
+        (word == Word::Rgb && compiler.full(3)? == 3).then_some(())?;
+        compiler.skip(Punct::CloseBrace)?;
+        let end = compiler.end()?;
+        compiler.program(end, 3, COLOR)
+    }
+
+    /// Compiles the `#declare` or `#local` at a node, if its value is numbers or a string.
+    pub(super) fn compile_declaration(&self, at: usize) -> Option<Assignment> {
+        let mut compiler = Compiler::new(self, at);
+        let NodeKind::Directive(directive, _) = compiler.kind()? else { return None };
+        let local = directive == Directive::Local;
+        compiler.at += 1;
+        let name = compiler.target()?;
+        let mut subscripts = 0;
+        if compiler.punct() == Some(Punct::OpenBracket) {
+            let place = self.scopes.find(name)?;
+            let Some(Value::Array(array)) = place.look().as_deref().cloned() else { return None };
+            subscripts = array.sizes.len() as u8;
+            for _ in 0..subscripts {
+                compiler.subscript()?;
+            }
+        }
+        compiler.skip(Punct::Equal)?;
+        compiler.enter_macros()?;
+        let n = if compiler.at_text() {
+            compiler.text()?;
+            // No semicolon is needed here, and one is taken.
+            let _: Option<()> = compiler.skip(Punct::Semicolon);
+            0
+        } else {
+            compiler.starts_value = true;
+            let n = compiler.arith(1)?;
+            compiler.semicolons()?;
+            n
+        };
+        let end = compiler.end()?;
+        Some(Assignment { name, local, subscripts, program: compiler.program(end, n, (false, 1))? })
     }
 }
 
-struct Compiler<'a, 'b> {
-    vm: &'a Vm<'b>,
-    tree: &'a Tree,
-    at: usize,
-    end: usize,
-    depth: u32,
-    ops: Vec<Op>,
+pub(super) struct Compiler<'a, 'b> {
+    pub(super) vm: &'a Vm<'b>,
+    pub(super) code: Rc<Code>,
+    /// The next node of the code, and where it ends.
+    pub(super) at: usize,
+    pub(super) stop: usize,
+    pub(super) depth: u32,
+    pub(super) ops: Vec<Op>,
+    /// Where to go on after the macros it is in: code, node, end, and how many names were bound.
+    pub(super) outer: Vec<(Rc<Code>, usize, usize, usize)>,
+    /// Arguments and local names of those macros.
+    pub(super) bound: Vec<Bound>,
+    pub(super) calls: Vec<(Symbol, Rc<Macro>)>,
+    pub(super) texts: Vec<Box<str>>,
+    pub(super) places: u16,
+    /// A value of any kind may stand here, in which `t` has another meaning.
+    pub(super) starts_value: bool,
 }
 
 /// The methods give the size of what they compiled.
-impl Compiler<'_, '_> {
-    fn kind(&self) -> Option<NodeKind> {
-        (self.at < self.end).then(|| self.tree.nodes[self.at].kind)
+impl<'a, 'b> Compiler<'a, 'b> {
+    fn new(vm: &'a Vm<'b>, at: usize) -> Compiler<'a, 'b> {
+        Compiler {
+            vm,
+            code: Rc::clone(&vm.frame.tree),
+            at,
+            stop: vm.frame.end,
+            depth: 0,
+            ops: Vec::new(),
+            outer: Vec::new(),
+            bound: Vec::new(),
+            calls: Vec::new(),
+            texts: Vec::new(),
+            places: 0,
+            starts_value: false,
+        }
     }
 
-    fn punct(&self) -> Option<Punct> {
+    fn program(self, end: usize, n: u8, asked: (bool, u8)) -> Option<Program> {
+        fits(&self.ops, self.places).then_some(())?;
+        let (ops, calls) = (self.ops.into_boxed_slice(), self.calls.into_boxed_slice());
+        let texts = self.texts.into_boxed_slice();
+        Some(Program { ops, end, n, asked, calls, texts, places: self.places, failures: Cell::new(0) })
+    }
+
+    /// The node after what was compiled, if that is not in a macro.
+    fn end(&mut self) -> Option<usize> {
+        self.leave_macros();
+        self.outer.is_empty().then_some(self.at)
+    }
+
+    pub(super) fn kind(&mut self) -> Option<NodeKind> {
+        self.leave_macros();
+        (self.at < self.stop).then(|| self.code.nodes[self.at].kind)
+    }
+
+    pub(super) fn punct(&mut self) -> Option<Punct> {
         match self.kind()? {
             NodeKind::Punct(punct) => Some(punct),
             _ => None,
         }
     }
 
-    fn skip(&mut self, punct: Punct) -> Option<()> {
+    pub(super) fn skip(&mut self, punct: Punct) -> Option<()> {
         let found = self.punct()? == punct;
         self.at += usize::from(found);
         found.then_some(())
+    }
+
+    /// Whether a string that is no name begins here.
+    fn at_text(&mut self) -> bool {
+        match self.kind() {
+            Some(NodeKind::Text) => true,
+            Some(NodeKind::Word(symbol)) => Word::of(symbol).is_some_and(builtin::string::is_function),
+            _ => false,
+        }
+    }
+
+    fn reserved(&mut self) -> Option<Word> {
+        let NodeKind::Word(symbol) = self.kind()? else { return None };
+        self.at += 1;
+        Word::of(symbol)
+    }
+
+    fn subscript(&mut self) -> Option<()> {
+        self.skip(Punct::OpenBracket)?;
+        (self.deeper(|compiler| compiler.arith(1))? == 1).then_some(())?;
+        self.skip(Punct::CloseBracket)
     }
 
     fn promote(&mut self, size: u8, n: u8) -> u8 {
@@ -113,7 +226,7 @@ impl Compiler<'_, '_> {
         Some(size)
     }
 
-    fn arith(&mut self, n: u8) -> Option<u8> {
+    pub(super) fn arith(&mut self, n: u8) -> Option<u8> {
         let mut size = self.term(n)?;
         loop {
             let f: fn(f64, f64) -> f64 = match self.punct() {
@@ -157,12 +270,14 @@ impl Compiler<'_, '_> {
     }
 
     fn factor(&mut self, n: u8) -> Option<u8> {
+        self.enter_macros()?;
+        let starts_value = std::mem::take(&mut self.starts_value);
         let f: Option<fn(f64) -> f64> = match self.punct() {
             Some(Punct::Plus) => None,
             Some(Punct::Minus) => Some(|a| -a),
             Some(Punct::Not) => Some(test::not),
             _ => {
-                let size = self.primary(n)?;
+                let size = self.primary(n, starts_value)?;
                 return if self.punct() == Some(Punct::Point) { self.member(size, n) } else { Some(size) };
             }
         };
@@ -183,19 +298,17 @@ impl Compiler<'_, '_> {
         (index < usize::from(size)).then(|| self.promote(1, n))
     }
 
-    fn primary(&mut self, n: u8) -> Option<u8> {
+    fn primary(&mut self, n: u8, starts_value: bool) -> Option<u8> {
         let kind = self.kind()?;
         self.at += 1;
         match kind {
             NodeKind::Number(index) => {
-                self.ops.push(Op::Number(self.tree.numbers[index as usize]));
+                self.ops.push(Op::Number(self.code.numbers[index as usize]));
                 Some(self.promote(1, n))
             }
-            NodeKind::Vector(index) => {
-                let vector = self.tree.vectors[index as usize];
-                let values = &vector.values[..usize::from(vector.len)];
-                self.ops.extend(values.iter().map(|&value| Op::Number(value)));
-                Some(vector.len)
+            NodeKind::Vector(len, first) => {
+                self.ops.extend(self.code.vector(len, first).iter().map(|&value| Op::Number(value)));
+                Some(len)
             }
             NodeKind::Punct(Punct::OpenParen) => {
                 let size = self.deeper(|compiler| compiler.full(n))?;
@@ -205,6 +318,7 @@ impl Compiler<'_, '_> {
             NodeKind::Punct(Punct::Less) => self.deeper(Compiler::vector),
             NodeKind::Word(symbol) => match Word::of(symbol) {
                 None => self.named(symbol, n),
+                Some(Word::T) if starts_value => None,
                 Some(word) => match builtin::constant(word) {
                     Some(value) => {
                         self.ops.extend(value.components().iter().map(|&value| Op::Number(value)));
@@ -234,6 +348,11 @@ impl Compiler<'_, '_> {
     }
 
     fn named(&mut self, symbol: Symbol, n: u8) -> Option<u8> {
+        if let Some(bound) = self.find_bound(symbol) {
+            let (size, place) = (bound.size, bound.place);
+            self.ops.push(Op::Kept(size, place));
+            return Some(self.promote(size, n));
+        }
         let Place::Variable(cell) = self.vm.scopes.find(symbol)? else {
             let size = self.vm.lookup(symbol)?.tuple()?.n;
             self.ops.push(Op::Load(symbol, size));
@@ -244,9 +363,7 @@ impl Compiler<'_, '_> {
             Value::Array(array) => {
                 let size = array.sample()?.tuple()?.n;
                 for _ in &array.sizes {
-                    self.skip(Punct::OpenBracket)?;
-                    (self.deeper(|compiler| compiler.arith(1))? == 1).then_some(())?;
-                    self.skip(Punct::CloseBracket)?;
+                    self.subscript()?;
                 }
                 self.ops.push(Op::Element(symbol, array.sizes.len() as u8, size));
                 size
@@ -263,6 +380,7 @@ impl Compiler<'_, '_> {
     fn call(&mut self, word: Word) -> Option<()> {
         self.skip(Punct::OpenParen)?;
         let op = match word {
+            Word::Strlen | Word::Strcmp | Word::Val => return self.measure(word),
             Word::Rand => Op::Rand,
             Word::Select => {
                 self.arguments(4)?;
@@ -289,7 +407,7 @@ impl Compiler<'_, '_> {
     }
 
     /// So many floats with optional commas between them. `select` of three takes its last for two.
-    fn arguments(&mut self, count: usize) -> Option<()> {
+    pub(super) fn arguments(&mut self, count: usize) -> Option<()> {
         for given in 0..count {
             if given > 0 {
                 let comma = self.skip(Punct::Comma);
@@ -311,7 +429,7 @@ impl Compiler<'_, '_> {
         Some(())
     }
 
-    fn deeper<T>(&mut self, read: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+    pub(super) fn deeper<T>(&mut self, read: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
         self.depth += 1;
         let result = if self.depth > DEEPEST { None } else { read(self) };
         self.depth -= 1;

@@ -1,15 +1,25 @@
 //! Running compiled expressions.
 
+use super::compile::COLOR;
 use crate::interp::Vm;
-use crate::interp::code::{Op, Program, Slot};
+use crate::interp::code::{Macro, Program, Slot};
+use crate::interp::limits::MOST_SCOPES;
 use crate::interp::scope::Place;
-use crate::interp::tuple::{Tuple, to_int, truth};
+use crate::interp::tuple::Tuple;
 use crate::interp::value::Value;
-use crate::syntax::Symbol;
+use crate::syntax::{NodeKind, Punct, Symbol};
 use std::rc::Rc;
 
 /// What gives up so often is not worth another try.
 const MOST_FAILURES: u8 = 8;
+
+impl Program {
+    /// Notes that it gave up, and whether it did so too often in a row.
+    pub(super) fn fail(&self) -> bool {
+        self.failures.set(self.failures.get() + 1);
+        self.failures.get() >= MOST_FAILURES
+    }
+}
 
 impl Vm<'_> {
     /// The value of the expression at hand, if it was compiled before and can be computed that
@@ -19,16 +29,45 @@ impl Vm<'_> {
         if !self.is_repeating() {
             return None;
         }
-        let at = match self.ahead {
-            None => self.frame.pos,
-            // The token that was peeked may be the first of the expression.
+        self.replay_at(self.next_node()?, (comparisons, n))
+    }
+
+    /// The color of the `{ rgb … }` that follows the word that was peeked, if it was compiled before; both
+    /// are then taken.
+    pub(in crate::interp) fn replay_color(&mut self) -> Option<[f64; 3]> {
+        /// Braces that are open before it is looked at how many those are.
+        const FEW: i32 = 100;
+        if !self.is_repeating() || self.ahead.is_none() || self.depth > FEW {
+            return None;
+        }
+        let [r, g, b, ..] = self.replay_at(self.next_node()? + 1, COLOR)?.c;
+        self.made_something();
+        Some([r, g, b])
+    }
+
+    /// The value of the argument at hand, if it was compiled before and is no name alone; it is then taken.
+    pub(in crate::interp) fn replay_argument(&mut self) -> Option<Place> {
+        let at = self.next_node()?;
+        let program = match self.frame.tree.slots.borrow().get(at)? {
+            Slot::Ready(program) if program.asked == (false, 1) => Rc::clone(program),
+            _ => return None,
+        };
+        let NodeKind::Punct(Punct::Comma | Punct::CloseParen) = self.frame.tree.nodes.get(program.end)?.kind
+        else {
+            return None;
+        };
+        Some(Place::new(self.execute(&program)?.into()))
+    }
+
+    /// The node of the next token, if it is in the file at hand.
+    fn next_node(&self) -> Option<usize> {
+        match self.ahead {
+            None => Some(self.frame.pos),
             Some(token) => {
                 let before = self.frame.pos.checked_sub(1)?;
-                let span = self.frame.tree.span(before);
-                (span == token.span).then_some(before)?
+                (self.frame.tree.span(before) == token.span).then_some(before)
             }
-        };
-        self.replay_at(at, (comparisons, n))
+        }
     }
 
     fn replay_at(&mut self, at: usize, asked: (bool, u8)) -> Option<Tuple> {
@@ -39,7 +78,7 @@ impl Vm<'_> {
         }
         let slot = &mut slots[at];
         match slot {
-            Slot::Never => None,
+            Slot::Never | Slot::Assign(_) => None,
             Slot::New => {
                 *slot = Slot::Seen;
                 None
@@ -55,161 +94,61 @@ impl Vm<'_> {
                 let program = Rc::clone(program);
                 drop(slots);
                 let value = if program.asked == asked { self.execute(&program) } else { None };
-                if value.is_none() {
-                    program.failures.set(program.failures.get() + 1);
-                    if program.failures.get() >= MOST_FAILURES {
-                        code.slots.borrow_mut()[at] = Slot::Never;
-                    }
+                if value.is_none() && program.fail() {
+                    code.slots.borrow_mut()[at] = Slot::Never;
                 }
                 value
             }
         }
     }
 
-    fn execute(&mut self, program: &Program) -> Option<Tuple> {
-        if program.end > self.frame.end || self.scopes.has_deprecated() {
-            return None;
-        }
-        let mut stack = std::mem::take(&mut self.stack);
-        stack.clear();
-        self.random.start_recording();
-        let done = self.steps(&program.ops, &mut stack);
-        let value = done.map(|()| Tuple::new(&stack[stack.len() - usize::from(program.n)..]));
-        self.stack = stack;
-        match value {
-            Some(_) => {
-                self.ahead = None;
-                self.frame.pos = program.end;
-                self.last = self.frame.tree.span(program.end - 1);
-            }
-            None => self.random.undo(),
-        }
-        value
+    /// The value of a program, after which reading goes on. Otherwise nothing has happened.
+    #[inline]
+    pub(super) fn execute(&mut self, program: &Program) -> Option<Tuple> {
+        self.run_program(program)?;
+        self.proceed(program);
+        Some(Tuple::new(self.machine.last(usize::from(program.n))))
     }
 
-    /// Runs the steps; `None` when one gives up.
-    fn steps(&mut self, ops: &[Op], stack: &mut Vec<f64>) -> Option<()> {
-        for op in ops {
-            match *op {
-                Op::Number(value) => stack.push(value),
-                Op::Load(symbol, n) => self.load(symbol, n, stack)?,
-                Op::Element(symbol, subscripts, n) => self.load_element(symbol, subscripts, n, stack)?,
-                Op::Repeat(n) => {
-                    let top = *stack.last()?;
-                    stack.resize(stack.len() + usize::from(n) - 1, top);
-                }
-                Op::Each(f, n) => {
-                    let start = stack.len() - usize::from(n);
-                    stack[start..].iter_mut().for_each(|c| *c = f(*c));
-                }
-                Op::Checked(f) => {
-                    let top = stack.last_mut()?;
-                    *top = f(*top)?;
-                }
-                Op::Both(f) => {
-                    let b = stack.pop()?;
-                    let a = stack.last_mut()?;
-                    *a = f(*a, b);
-                }
-                Op::CheckedBoth(f) => {
-                    let b = stack.pop()?;
-                    let a = stack.last_mut()?;
-                    *a = f(*a, b)?;
-                }
-                Op::Zip(f, n) => zip(stack, usize::from(n), f),
-                Op::Spread(f, n) => {
-                    let at = stack.len() - usize::from(n) - 1;
-                    let a = stack.remove(at);
-                    stack[at..].iter_mut().for_each(|c| *c = f(a, *c));
-                }
-                Op::Divide(m, n) => {
-                    let (m, n) = (usize::from(m), usize::from(n));
-                    let right = stack.len() - n;
-                    if stack[right..].contains(&0.0) {
-                        return None;
-                    }
-                    if m == n {
-                        zip(stack, n, |a, b| a / b);
-                    } else {
-                        let a = stack.remove(right - 1);
-                        stack[right - 1..].iter_mut().for_each(|c| *c = a / *c);
-                    }
-                }
-                Op::Member(index, n) => {
-                    let start = stack.len() - usize::from(n);
-                    stack[start] = stack[start + usize::from(index)];
-                    stack.truncate(start + 1);
-                }
-                Op::Choose(n) => {
-                    let n = usize::from(n);
-                    let (no, yes) = (stack.len() - n, stack.len() - 2 * n);
-                    let from = if truth(stack[yes - 1]) { yes } else { no };
-                    stack.copy_within(from..from + n, yes - 1);
-                    stack.truncate(yes - 1 + n);
-                }
-                Op::Select => {
-                    let [choice, negative, zero, positive] = *stack.last_chunk::<4>()?;
-                    let value = match choice {
-                        choice if choice < 0.0 => negative,
-                        0.0 => zero,
-                        _ => positive,
-                    };
-                    stack.truncate(stack.len() - 4);
-                    stack.push(value);
-                }
-                Op::Rand => {
-                    let stream = stack.last_mut()?;
-                    *stream = self.random.next(to_int(*stream))?;
-                }
-            }
+    /// Goes on behind what was computed.
+    #[inline]
+    pub(super) fn proceed(&mut self, program: &Program) {
+        program.failures.set(0);
+        self.ahead = None;
+        self.frame.pos = program.end;
+        self.last = self.frame.tree.span(program.end - 1);
+    }
+
+    /// Leaves the result of a program in the machine; `None`, and nothing has happened, when it gives up.
+    #[inline]
+    pub(super) fn run_program(&mut self, program: &Program) -> Option<()> {
+        if program.end > self.frame.end
+            || self.scopes.has_deprecated()
+            || !program.calls.is_empty() && self.count_calls(&program.calls).is_none()
+        {
+            return None;
         }
+        self.random.start_recording();
+        let done = self.machine.run(program, &self.scopes, &mut self.random);
+        if done.is_none() {
+            self.random.undo();
+        }
+        done
+    }
+
+    /// Makes sure that macros are what they were, and may be called.
+    fn count_calls(&mut self, calls: &[(Symbol, Rc<Macro>)]) -> Option<()> {
+        let same = |(name, called): &(Symbol, Rc<Macro>)| match self.scopes.find(*name) {
+            Some(Place::Variable(cell)) => match &*cell.borrow() {
+                Value::Macro(now) => Rc::ptr_eq(now, called),
+                _ => false,
+            },
+            _ => false,
+        };
+        if !calls.iter().all(same) || self.scopes.depth() + calls.len() as u32 > MOST_SCOPES {
+            return None;
+        }
+        self.count(calls.len() as u64);
         Some(())
     }
-
-    fn load(&self, symbol: Symbol, n: u8, stack: &mut Vec<f64>) -> Option<()> {
-        match self.scopes.find(symbol)? {
-            Place::Variable(cell) => push(&cell.borrow(), n, stack),
-            Place::Element(cell, index) => match &*cell.borrow() {
-                Value::Array(array) => push(array.get(*index)?, n, stack),
-                _ => None,
-            },
-        }
-    }
-
-    fn load_element(&self, symbol: Symbol, subscripts: u8, n: u8, stack: &mut Vec<f64>) -> Option<()> {
-        let Place::Variable(cell) = self.scopes.find(symbol)? else { return None };
-        let value = cell.borrow();
-        let Value::Array(array) = &*value else { return None };
-        let start = stack.len() - usize::from(subscripts);
-        if array.sizes.len() != usize::from(subscripts) {
-            return None;
-        }
-        let index = array.index(&stack[start..]).ok()?;
-        stack.truncate(start);
-        push(array.get(index)?, n, stack)
-    }
-}
-
-/// Pushes the components of a value that has `n` of them.
-#[inline]
-fn push(value: &Value, n: u8, stack: &mut Vec<f64>) -> Option<()> {
-    match (value, n) {
-        (Value::Float(value), 1) => stack.push(*value),
-        (Value::Vector3(v), 3) => stack.extend_from_slice(v),
-        (Value::Vector2(v), 2) => stack.extend_from_slice(v),
-        (Value::Vector4(v), 4) => stack.extend_from_slice(&v[..]),
-        (Value::Color(c), 5) => stack.extend(c.iter().map(|&c| f64::from(c))),
-        _ => return None,
-    }
-    Some(())
-}
-
-fn zip(stack: &mut Vec<f64>, n: usize, f: impl Fn(f64, f64) -> f64) {
-    let right = stack.len() - n;
-    let (left, b) = stack.split_at_mut(right);
-    let a = &mut left[right - n..];
-    for (a, b) in a.iter_mut().zip(b) {
-        *a = f(*a, *b);
-    }
-    stack.truncate(right);
 }

@@ -35,7 +35,7 @@ pub(super) fn bumps(vm: &mut Vm<'_>, amount: &mut Option<f32>) -> Result<ImageMa
 
 fn read_map(vm: &mut Vm<'_>, usage: Usage, amount: &mut Option<f32>) -> Result<ImageMap> {
     // Old scenes give the mapping as a vector before the file: it has no effect any more.
-    if matches!(vm.peek()?.kind, TokenKind::Vector(_)) {
+    if matches!(vm.peek()?.kind, TokenKind::Vector(..)) {
         let place = vm.next()?.span;
         vm.warn(place, "the vector before an image has no effect", "rotate the image instead");
         vm.comma()?;

@@ -10,6 +10,9 @@ use crate::scene::{Object, Shape};
 
 /// Reads one modifier, if one comes next.
 pub(super) fn read(vm: &mut Vm<'_>, object: &mut Object) -> Result<bool> {
+    if vm.peek_word()?.is_none() {
+        return Ok(false);
+    }
     Ok(place(vm, object)? || surface(vm, object)? || flag(vm, object)? || block(vm, object)?)
 }
 

@@ -25,6 +25,9 @@ pub(in crate::interp) fn any(vm: &mut Vm<'_>) -> Result<Option<Arc<Object>>> {
 
 /// Takes the name of an object.
 fn variable(vm: &mut Vm<'_>) -> Result<Option<Arc<Object>>> {
+    if vm.names_number() {
+        return Ok(None);
+    }
     vm.accept_value(|value| match value {
         Value::Object(object) => Some(Arc::clone(object)),
         _ => None,

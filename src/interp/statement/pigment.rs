@@ -6,12 +6,17 @@ use super::pattern::{self, Owner};
 use super::{color, image, map};
 use crate::interp::value::Value;
 use crate::interp::{Result, Vm, Word};
+use crate::math::{DVec3, Rgbft};
 use crate::scene::pigment::{BlendMap, PigmentKind};
 use crate::scene::{Field, Pattern, Pigment};
 use crate::source::Span;
 
 /// Reads `pigment { … }`, whose keyword comes next, as a changed copy of `base`.
 pub(in crate::interp) fn block(vm: &mut Vm<'_>, base: &Arc<Pigment>) -> Result<Arc<Pigment>> {
+    if let Some(rgb) = vm.replay_color() {
+        let kind = PigmentKind::Color(Rgbft::opaque(DVec3::from_array(rgb).as_vec3a()));
+        return Ok(Arc::new(Pigment { kind, quick_color: base.quick_color }));
+    }
     let block = vm.enter()?;
     let pigment = body(vm, base, Owner::Pigment)?;
     vm.close(block)?;
@@ -90,7 +95,7 @@ pub(super) fn start(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner) -
 /// A pigment cannot be plain numbers.
 fn refuse_numbers(vm: &mut Vm<'_>, owner: Owner) -> Result<()> {
     use crate::interp::stream::TokenKind;
-    if matches!(vm.peek()?.kind, TokenKind::Number(_) | TokenKind::Vector(_)) && owner == Owner::Pigment {
+    if matches!(vm.peek()?.kind, TokenKind::Number(_) | TokenKind::Vector(..)) && owner == Owner::Pigment {
         let fault = vm.expected("a color or a pattern");
         return Err(fault.help("write `rgb` or `color` before the numbers"));
     }

@@ -43,7 +43,7 @@ impl Vm<'_> {
     /// Reads `< F, F … >` with `count` components, more than a vector has.
     pub(super) fn read_components(&mut self, count: usize) -> Result<Vec<f64>> {
         let open = self.peek()?;
-        if let TokenKind::Vector(_) = open.kind {
+        if let TokenKind::Vector(..) = open.kind {
             let message = format!("{count} numbers are needed here, not a vector");
             return Err(self.error(open.span, message));
         }
@@ -76,7 +76,7 @@ impl Vm<'_> {
     pub(super) fn at_float(&mut self) -> Result<bool> {
         let token = self.peek()?;
         Ok(match token.kind {
-            TokenKind::Vector(_) | TokenKind::Punct(Punct::Less) => false,
+            TokenKind::Vector(..) | TokenKind::Punct(Punct::Less) => false,
             TokenKind::Name(_) => {
                 let name = self.place.as_ref().and_then(|place| place.look());
                 matches!(name.as_deref(), Some(Value::Float(_) | Value::Function(_)))

@@ -67,6 +67,12 @@ impl Array {
     /// The place of the element with these subscripts, one for each dimension. The error names
     /// what is out of range.
     pub fn index(&self, subscripts: &[f64]) -> Result<usize, String> {
+        if let (&[subscript], &[size]) = (subscripts, &self.sizes[..])
+            && subscript >= 0.0
+            && subscript < size as f64 - 1.0
+        {
+            return Ok((subscript + 1e-10) as usize);
+        }
         let mut index = 0;
         for (&subscript, &size) in subscripts.iter().zip(&self.sizes) {
             let at = to_int(subscript + 1e-10);
