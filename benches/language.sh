@@ -59,6 +59,6 @@ for scene in nothing *.pov; do
     echo "$scene $theirs $ours $base" | awk '{
         t = $2 - $6; o = $4 - $8
         if ($1 == "nothing") printf "%-12s %10.2f %10.2f %6s %10d %10d\n", $1, $2, $4, "", $3, $5
-        else printf "%-12s %10.2f %10.2f %6.1f %10d %10d\n", $1, t, o, o > 0 ? t/o : 0, $3, $5
+        else printf "%-12s %10.2f %10.2f %6.1f %10d %10d\n", $1, t, o, (o > 0 ? t/o : 0), $3, $5
     }'
 done

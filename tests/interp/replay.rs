@@ -9,7 +9,7 @@ fn turns(table: &[(&str, &str, &str)]) {
         .iter()
         .map(|(setup, body, printed)| {
             let all =
-                if printed.contains('|') { printed.replace('|', " ") } else { vec![*printed; 5].join(" ") };
+                if printed.contains('|') { printed.replace('|', " ") } else { [*printed; 5].join(" ") };
             (format!("{setup} #for (I, 1, 5) {body} #end"), all)
         })
         .collect();
