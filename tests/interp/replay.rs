@@ -8,8 +8,7 @@ fn turns(table: &[(&str, &str, &str)]) {
     let rows: Vec<(String, String)> = table
         .iter()
         .map(|(setup, body, printed)| {
-            let all =
-                if printed.contains('|') { printed.replace('|', " ") } else { [*printed; 5].join(" ") };
+            let all = if printed.contains('|') { printed.replace('|', " ") } else { [*printed; 5].join(" ") };
             (format!("{setup} #for (I, 1, 5) {body} #end"), all)
         })
         .collect();

@@ -75,7 +75,7 @@ impl Vm<'_> {
         let marks = [And, Comma, Equal, Greater, Less, Or, Question];
         self.version >= 350
             && match self.peek_raw().kind {
-                TokenKind::Number(_) | TokenKind::Vector(_) => true,
+                TokenKind::Number(_) | TokenKind::Vector(..) => true,
                 TokenKind::Punct(mark) => marks.contains(&mark),
                 _ => false,
             }

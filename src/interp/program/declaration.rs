@@ -71,7 +71,8 @@ impl Vm<'_> {
         if !truth(value) {
             self.pop_block();
             self.frame.pos = end + 1;
-        } else if let Some(BlockKind::While { turns, .. }) = self.blocks.last_mut().map(|open| &mut open.kind) {
+        } else if let Some(BlockKind::While { turns, .. }) = self.blocks.last_mut().map(|open| &mut open.kind)
+        {
             *turns += 1;
         }
         true
