@@ -44,16 +44,11 @@ pub fn format(id: FileId, source: &Source) -> Result<String, Refusal> {
     if !tree.errors.is_empty() {
         return Err(Refusal::Mistakes(tree.errors));
     }
-    let pieces = piece::pieces(&tree, &source.text);
+    let pieces = piece::pieces(&tree, source.text());
     let text = layout::lay_out(&pieces, piece::is_guarded(&tree));
-    let laid_out = Source {
-        name: source.name.clone(),
-        path: source.path.clone(),
-        text: text.as_str().into(),
-        encoding: source.encoding,
-    };
+    let laid_out = source.with_text(&text);
     let again = syntax::parse(id, &laid_out, &mut symbols);
-    if same::is_same((&tree, &source.text), (&again, &text)) { Ok(text) } else { Err(Refusal::Changed) }
+    if same::is_same((&tree, source.text()), (&again, &text)) { Ok(text) } else { Err(Refusal::Changed) }
 }
 
 #[cfg(test)]

@@ -67,7 +67,7 @@ pub(super) fn pieces<'a>(tree: &Tree, text: &'a str) -> Vec<Piece<'a>> {
             NodeKind::Text => cutter.piece(Kind::Text, end),
             NodeKind::Punct(punct) => cutter.piece(Kind::Mark(punct), end),
             NodeKind::Directive(directive, _) => cutter.directive(directive, end),
-            NodeKind::Vector(_) => cutter.vector(end),
+            NodeKind::Vector(..) => cutter.vector(end),
             // There are none in a file without mistakes.
             NodeKind::Error(_) => {}
         }

@@ -17,9 +17,9 @@ fn same_node((a, one): (&Node, (&Tree, &str)), (b, other): (&Node, (&Tree, &str)
         (NodeKind::Number(_), NodeKind::Number(_)) | (NodeKind::Text, NodeKind::Text) => {
             text(a, one.1) == text(b, other.1)
         }
-        (NodeKind::Vector(i), NodeKind::Vector(j)) => {
-            let (v, w) = (one.0.vectors[i as usize], other.0.vectors[j as usize]);
-            v.len == w.len && v.values.map(f64::to_bits) == w.values.map(f64::to_bits)
+        (NodeKind::Vector(m, i), NodeKind::Vector(n, j)) => {
+            let (v, w) = (one.0.vector(m, i), other.0.vector(n, j));
+            v.iter().map(|c| c.to_bits()).eq(w.iter().map(|c| c.to_bits()))
         }
         (NodeKind::Directive(a, i), NodeKind::Directive(b, j)) => (a, i) == (b, j),
         (a, b) => a == b,

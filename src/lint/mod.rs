@@ -46,7 +46,7 @@ pub fn text(main: FileId, sources: &Sources, own: impl Fn(FileId) -> bool) -> Ve
     for (number, source) in (0..).zip(sources.all()) {
         let id = FileId(number);
         let tree = syntax::parse(id, source, &mut symbols);
-        let index = Index::new(&tree, &source.text, &symbols);
+        let index = Index::new(&tree, source.text(), &symbols);
         files.push(File { tree, index, own: id == main || own(id) });
     }
     let scene = Scene { symbols, files, main };
@@ -76,7 +76,7 @@ impl Scene {
 /// Whether a comment in the same line, or alone in the line above, says `povista: allow(CODE)`.
 fn is_allowed(diagnostic: &Diagnostic, sources: &Sources) -> bool {
     let Some(Span { file, start, .. }) = diagnostic.span else { return false };
-    let text = &*sources.get(file).text;
+    let text = &**sources.get(file).text();
     let line_start = text[..start as usize].rfind('\n').map_or(0, |at| at + 1);
     let line = text[line_start..].lines().next().unwrap_or_default();
     let above = text[..line_start].lines().next_back().unwrap_or_default().trim_start();

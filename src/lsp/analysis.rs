@@ -65,7 +65,7 @@ impl Analysis {
         let indexes = trees
             .iter()
             .zip(sources.all())
-            .map(|(tree, source)| Index::new(tree, &source.text, &symbols))
+            .map(|(tree, source)| Index::new(tree, source.text(), &symbols))
             .collect();
         let tree = trees.swap_remove(main.0 as usize);
         let diagnostics = if is_part { tree.errors.clone() } else { diagnostics };

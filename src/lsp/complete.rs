@@ -9,7 +9,7 @@ use rustc_hash::FxHashSet;
 
 /// After a `#` the directives; anywhere else the reserved words and the names that are known there.
 pub(super) fn items(analysis: &Analysis, offset: usize) -> Option<Vec<CompletionItem>> {
-    let text = &analysis.source().text;
+    let text = analysis.source().text();
     let before = text[..offset].trim_end_matches(|c: char| c.is_ascii_alphanumeric() || c == '_');
     if before.ends_with('#') {
         return Some(

@@ -58,7 +58,7 @@ pub(super) fn offset(text: &str, position: Position) -> usize {
 
 /// Where a span of a source is.
 pub(super) fn range(source: &Source, span: Span) -> Range {
-    Range::new(position(&source.text, span.start as usize), position(&source.text, span.end as usize))
+    Range::new(position(source.text(), span.start as usize), position(source.text(), span.end as usize))
 }
 
 #[cfg(test)]

@@ -73,7 +73,7 @@ impl Server<'_> {
         let uri = place.text_document.uri.as_str();
         self.refresh(uri);
         let answer = self.analysis(uri).and_then(|analysis| {
-            let offset = place::offset(&analysis.source().text, place.position);
+            let offset = place::offset(analysis.source().text(), place.position);
             answer(analysis, offset)
         });
         serde_json::to_value(answer)

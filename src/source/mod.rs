@@ -63,6 +63,18 @@ impl Source {
         }
     }
 
+    /// The same file with another text.
+    pub fn with_text(&self, text: &str) -> Source {
+        Source {
+            name: self.name.clone(),
+            path: self.path.clone(),
+            text: OnceLock::from(Arc::from(text)),
+            length: text.len(),
+            encoding: self.encoding,
+            fingerprint: OnceLock::new(),
+        }
+    }
+
     /// The whole text.
     pub fn text(&self) -> &Arc<str> {
         self.text.get_or_init(|| {

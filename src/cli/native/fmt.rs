@@ -32,7 +32,7 @@ pub(super) fn fmt(arguments: &Fmt, out: &mut dyn Write, err: &mut dyn Write) -> 
                 continue;
             }
         };
-        let is_laid_out = *text == *source.text;
+        let is_laid_out = *text == **source.text();
         if arguments.check {
             if !is_laid_out {
                 writeln!(out, "{} is not laid out", source.name)?;
