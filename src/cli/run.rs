@@ -19,7 +19,9 @@ use crate::compile::{self, Compiled, Reason, Unsupported};
 use crate::diag::{Diagnostic, Severity, Sink};
 use crate::math::Gamma;
 use crate::render::{self, Progress, Statistics};
-use crate::source::Sources;
+use crate::source::{Sources, Span};
+use crate::world::World;
+use crate::world::shape::Remark;
 
 /// Tells a user how a run is going.
 pub trait Report: Sink {
@@ -190,7 +192,7 @@ fn picture(
     let parse = start.elapsed();
 
     let start = Instant::now();
-    let Compiled { mut world, unsupported, .. } = compile::compile(scene, &job.render);
+    let Compiled { mut world, unsupported, spans } = compile::compile(scene, &job.render);
     lacking(unsupported, job.language.skip_unsupported, &sources, report)?;
     // `+MV3.7` means light even to a scene that says it is older (docs/spec/camera-image.md 11).
     if job.language.version.is_some_and(|version| version >= 370) {
@@ -213,6 +215,9 @@ fn picture(
     let watch = Resume::new(report.progress(), state.as_ref());
     let rendered = render::render(&world, &job.render, &watch);
     let render = start.elapsed();
+    for (span, remark) in remarks(&world, &spans) {
+        report.diagnostic(remarked(remark, span), &sources);
+    }
 
     let start = Instant::now();
     if let (Some(opened), Some(encoding), Some(place)) = (opened, &job.encoding, &place) {
@@ -272,6 +277,34 @@ fn lacking(
         report.diagnostic(diagnostic, sources);
     }
     if failed { Err(Failure::Scene) } else { Ok(()) }
+}
+
+/// What rays have found out about shapes, once for each place in the text, the worst of it.
+fn remarks(world: &World, spans: &[Span]) -> Vec<(Span, Remark)> {
+    let mut told: Vec<(Span, Remark)> = Vec::new();
+    for (leaf, remark) in world.geometry.remarks() {
+        let span = spans.get(leaf.origin as usize).copied().unwrap_or_default();
+        let Remark::TooSteep { found, .. } = remark;
+        match told.iter_mut().find(|(place, _)| *place == span) {
+            Some((_, Remark::TooSteep { found: most, .. })) if *most >= found => {}
+            Some((_, worst)) => *worst = remark,
+            None => told.push((span, remark)),
+        }
+    }
+    told
+}
+
+/// What to say of it.
+fn remarked(remark: Remark, span: Span) -> Diagnostic {
+    let Remark::TooSteep { found, said, holes } = remark;
+    let message = format!("`max_gradient` is {said:.3}, but a gradient of {found:.3} was found");
+    let help = match holes {
+        true => format!("the surface may have holes: try `max_gradient {found:.3}`"),
+        false => format!(
+            "the picture is right nevertheless; POV-Ray's may have holes without `max_gradient {found:.3}`"
+        ),
+    };
+    Diagnostic::new(Severity::Warning, span, message).help(help)
 }
 
 #[cfg(test)]

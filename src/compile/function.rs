@@ -39,7 +39,7 @@ impl TextureCompiler<'_> {
                 format!("more than {DEEPEST} functions inside each other"),
             ));
         }
-        let compiled = Arc::new(Function { parameters: function.parameters, depth, body });
+        let compiled = Arc::new(Function::new(function.parameters, depth, body));
         self.functions.insert(Arc::as_ptr(function), (function.clone(), compiled.clone()));
         Ok(compiled)
     }
@@ -72,7 +72,7 @@ impl TextureCompiler<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::{DVec3, Transform};
+    use crate::math::{Band, DVec3, Lanes, Transform};
     use crate::scene::function::{BinaryOp, Builtin, Expr};
     use crate::scene::settings::Settings;
     use crate::source::Span;
@@ -200,5 +200,60 @@ mod tests {
         let chain = (0..2000)
             .fold(expression(1, parameter(0)), |f, _| expression(1, Expr::User(f, vec![parameter(0)])));
         assert!(compile(&chain).is_err());
+    }
+
+    /// Checks that bands hold the values of a function of one number, and says how wide the narrowest are.
+    fn held(function: &Arc<scene::Function>) -> f64 {
+        let compiled = compile(function).unwrap();
+        let mut reach: f64 = 0.0;
+        for n in 0..300 {
+            let (middle, half) = (f64::from(n) * 0.02 - 3.0, 0.6_f64.powi(n % 25));
+            let found = compiled.enclose(&[Band::line(Lanes::splat(middle), Lanes::splat(half))]);
+            for step in -4..=4 {
+                let s = f64::from(step) / 4.0;
+                let off =
+                    (compiled.call(&[middle + half * s]) - found.middle.0[1] - found.slope.0[1] * s).abs();
+                assert!(!(off > found.reach.0[1]), "{off:e} off at {s} of {found:?}");
+            }
+            if n % 25 == 24 {
+                reach = reach.max(found.reach.0[1]);
+            }
+        }
+        reach
+    }
+
+    #[test]
+    fn bands_hold_choices_sums_and_functions_of_functions() {
+        let square = expression(1, binary(BinaryOp::Multiply, parameter(0), parameter(0)));
+        let choice = |zero: Option<Expr>| {
+            let branches = [parameter(0), Expr::Negate(Box::new(parameter(0)))].into_iter().chain(zero);
+            Expr::Call(
+                Builtin::Select,
+                branches.chain([Expr::User(square.clone(), vec![parameter(0)])]).collect(),
+            )
+        };
+        assert!(held(&expression(1, choice(None))) < 1e-4);
+        assert!(held(&expression(1, choice(Some(number(0.0))))) < 1e-4);
+        let term = Expr::Call(Builtin::Sin, vec![binary(BinaryOp::Multiply, Expr::Running(0), parameter(0))]);
+        assert!(held(&expression(1, Expr::Sum(Box::new([number(1.0), number(20.0), term])))) < 1e-4);
+        let whole = Expr::Call(Builtin::Floor, vec![parameter(0)]);
+        assert!(held(&expression(1, binary(BinaryOp::Subtract, parameter(0), whole))) <= 0.51);
+    }
+
+    #[test]
+    fn of_what_calls_itself_nothing_is_known() {
+        let body = binary(BinaryOp::Add, Expr::Recursion(vec![parameter(0)]), number(1.0));
+        let function = compile(&expression(1, body)).unwrap();
+        assert!(!function.is_known());
+        assert_eq!(function.enclose(&[Band::constant(1.0)]).reach.0[0], f64::INFINITY);
+    }
+
+    #[test]
+    fn short_functions_are_written_out_where_they_are_called() {
+        let square = expression(1, binary(BinaryOp::Multiply, parameter(0), parameter(0)));
+        let of_sum = |arguments: Vec<Expr>| Expr::User(square.clone(), arguments);
+        let sum = binary(BinaryOp::Add, parameter(0), parameter(1));
+        let both = binary(BinaryOp::Subtract, of_sum(vec![sum]), of_sum(vec![of_sum(vec![parameter(1)])]));
+        assert_eq!(call(&expression(2, both), &[3.0, 2.0]), 9.0);
     }
 }

@@ -1,18 +1,22 @@
 //! Writes the tapes of expressions (docs/spec/language.md 4.2).
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::Unsupported;
 use super::texture::TextureCompiler;
-use crate::math::hyperbolic;
 use crate::scene;
-use crate::scene::function::{BinaryOp, Builtin, Expr};
+use crate::scene::function::{BinaryOp, Builtin, Expr, FunctionBody};
 use crate::world::function::tape::{Code, Op, Register};
-use crate::world::function::{Body, Tape};
+use crate::world::function::{Body, Tape, Unary};
 
 /// How deep an expression may go; chains of operators are not deep.
 const DEEPEST: u32 = 500;
+
+/// Functions of at most so many parts are written out where they are called, unless the tape is already as long
+/// as `LONG`, or has `MOST_IN_USE` registers in use.
+const SHORT: u32 = 100;
+const LONG: usize = 1000;
+const MOST_IN_USE: usize = 64;
 
 /// Marks the number of a constant until it is known which registers are left for constants.
 const CONSTANT: Register = 1 << 15;
@@ -28,6 +32,8 @@ pub(super) struct Writer<'w, 'a> {
     most: usize,
     /// The running variables of the enclosing sums and products, the outermost first.
     running: Vec<Register>,
+    /// Where the arguments are of the function whose expression is being written out instead of called.
+    written_out: Option<Vec<Register>>,
     depth: u32,
     /// How many functions deep the tape calls.
     calls: u32,
@@ -43,6 +49,7 @@ impl<'w, 'a> Writer<'w, 'a> {
             used: function.parameters,
             most: function.parameters,
             running: Vec::new(),
+            written_out: None,
             depth: 0,
             calls: 1,
         }
@@ -74,12 +81,15 @@ impl<'w, 'a> Writer<'w, 'a> {
         self.depth += 1;
         let register = match expression {
             Expr::Constant(value) => self.constant(*value),
-            Expr::Parameter(index) => Ok(*index),
+            Expr::Parameter(index) => Ok(self.parameter(*index)),
             Expr::Running(index) => self.running_variable(*index),
             Expr::Negate(e) => {
                 let mark = self.used;
                 let a = self.value(e)?;
-                self.result(mark, Code::Negate, a, a)
+                match self.known(a) {
+                    Some(value) => self.constant(-value),
+                    None => self.result(mark, Code::Negate, a, a),
+                }
             }
             Expr::Binary(..) => self.chain(expression),
             Expr::Call(Builtin::Select, arguments) => self.select(arguments),
@@ -107,6 +117,15 @@ impl<'w, 'a> Writer<'w, 'a> {
             return Err(too_big(self.function));
         }
         Ok(index as Register | CONSTANT)
+    }
+
+    fn parameter(&self, index: u16) -> Register {
+        self.written_out.as_ref().map_or(index, |arguments| arguments[usize::from(index)])
+    }
+
+    /// The number in a register that holds a constant.
+    fn known(&self, register: Register) -> Option<f64> {
+        (register & CONSTANT != 0).then(|| self.constants[usize::from(register & !CONSTANT)])
     }
 
     fn running_variable(&self, index: u16) -> Result<Register, Unsupported> {
@@ -169,6 +188,7 @@ impl<'w, 'a> Writer<'w, 'a> {
                     let (code, a, b) = match op {
                         BinaryOp::Add => (Code::Add, sum, right),
                         BinaryOp::Subtract => (Code::Subtract, sum, right),
+                        BinaryOp::Multiply if sum == right => (Code::Unary(Unary::Square), sum, right),
                         BinaryOp::Multiply => (Code::Multiply, sum, right),
                         BinaryOp::Divide => (Code::Divide, sum, right),
                         BinaryOp::Less => (Code::Less, sum, right),
@@ -180,7 +200,13 @@ impl<'w, 'a> Writer<'w, 'a> {
                         BinaryOp::And => (Code::And, sum, right),
                         BinaryOp::Or => (Code::Or, sum, right),
                     };
-                    self.result(mark, code, a, b)?
+                    match self.known(a).zip(self.known(b)).and_then(|(a, b)| folded(&code, a, b)) {
+                        Some(value) => {
+                            self.used = mark;
+                            self.constant(value)?
+                        }
+                        None => self.result(mark, code, a, b)?,
+                    }
                 }
             };
         }
@@ -193,10 +219,13 @@ impl<'w, 'a> Writer<'w, 'a> {
             return Err(Unsupported::broken(self.function.span, "a function call without arguments"));
         };
         let mut value = self.value(first)?;
-        if let (Builtin::Pow, [Expr::Constant(exponent)]) = (builtin, rest)
-            && let Some(power) = constant_power(*exponent)
-        {
-            return self.result(mark, Code::Unary(power), value, value);
+        if let (Builtin::Pow, [Expr::Constant(exponent)]) = (builtin, rest) {
+            if *exponent == 0.0 {
+                return self.constant(1.0);
+            }
+            if let Some(power) = constant_power(*exponent) {
+                return self.result(mark, Code::Unary(power), value, value);
+            }
         }
         if rest.is_empty() {
             return self.result(mark, one_argument(builtin), value, value);
@@ -224,14 +253,14 @@ impl<'w, 'a> Writer<'w, 'a> {
         let condition = self.value(condition)?;
         self.used = mark;
         let to = self.take()?;
-        let to_negative = self.jump(Code::IfNegative(0), condition);
-        let to_zero = zero.map(|_| self.jump(Code::IfZero(0), condition));
+        let to_negative = self.jump(Code::IfNegative(0), to, condition);
+        let to_zero = zero.map(|_| self.jump(Code::IfZero(0), to, condition));
         self.branch(positive, to)?;
-        let mut to_end = vec![self.jump(Code::Jump(0), to)];
+        let mut to_end = vec![self.jump(Code::Jump(0), to, to)];
         if let (Some(jump), Some(zero)) = (to_zero, zero) {
             self.land(jump);
             self.branch(zero, to)?;
-            to_end.push(self.jump(Code::Jump(0), to));
+            to_end.push(self.jump(Code::Jump(0), to, to));
         }
         self.land(to_negative);
         self.branch(negative, to)?;
@@ -242,8 +271,8 @@ impl<'w, 'a> Writer<'w, 'a> {
     }
 
     /// Writes a jump whose target is not known yet, and says where it is.
-    fn jump(&mut self, code: Code, a: Register) -> usize {
-        self.emit(code, a, a, a);
+    fn jump(&mut self, code: Code, to: Register, a: Register) -> usize {
+        self.emit(code, to, a, a);
         self.ops.len() - 1
     }
 
@@ -273,20 +302,47 @@ impl<'w, 'a> Writer<'w, 'a> {
         arguments: &[Expr],
         component: u8,
     ) -> Result<Register, Unsupported> {
-        let function = self.compiler.function(function)?;
-        if arguments.len() != function.parameters {
+        let compiled = self.compiler.function(function)?;
+        if arguments.len() != compiled.parameters {
             return Err(Unsupported::broken(
                 self.function.span,
                 "a function call with too few or too many arguments",
             ));
         }
+        self.calls = self.calls.max(compiled.depth + 1);
+        if let FunctionBody::Expression(body) = &function.body
+            && self.depth + SHORT < DEEPEST
+            && self.ops.len() < LONG
+            && self.used < MOST_IN_USE
+            && is_short(body, &mut { SHORT })
+        {
+            return self.write_out(body, arguments);
+        }
         let mark = self.arguments(arguments)?;
-        self.calls = self.calls.max(function.depth + 1);
-        let code = match &function.body {
+        let code = match &compiled.body {
             Body::Internal(internal) => Code::Internal(*internal),
-            _ => Code::Call(function, component),
+            _ => Code::Call(compiled, component),
         };
         self.result(mark, code, mark as Register, mark as Register)
+    }
+
+    /// Writes the expression of a function instead of a call.
+    fn write_out(&mut self, body: &Expr, arguments: &[Expr]) -> Result<Register, Unsupported> {
+        let mark = self.used;
+        let places = arguments.iter().map(|argument| self.value(argument)).collect::<Result<_, _>>()?;
+        let outer = (self.written_out.replace(places), std::mem::take(&mut self.running));
+        let value = self.value(body);
+        (self.written_out, self.running) = outer;
+        let value = value?;
+        self.used = mark;
+        if value & CONSTANT != 0 || usize::from(value) < mark {
+            return Ok(value);
+        }
+        let to = self.take()?;
+        if to != value {
+            self.emit(Code::Copy, to, value, value);
+        }
+        Ok(to)
     }
 
     /// Writes what puts arguments into the lowest free registers, and says which is the first.
@@ -302,12 +358,11 @@ impl<'w, 'a> Writer<'w, 'a> {
     fn repeat(&mut self, parts: &[Expr; 3], start: f64, code: Code) -> Result<Register, Unsupported> {
         let [from, to, body] = parts;
         let start = self.constant(start)?;
-        let one = self.constant(1.0)?;
         let total = self.take()?;
         let variable = self.value_on_top(from)?;
         let end = self.value_on_top(to)?;
         self.emit(Code::Copy, total, start, start);
-        let to_test = self.jump(Code::Jump(0), total);
+        let to_test = self.jump(Code::Jump(0), total, total);
         let top = self.ops.len() as u32;
         self.running.push(variable);
         let mark = self.used;
@@ -315,12 +370,43 @@ impl<'w, 'a> Writer<'w, 'a> {
         self.used = mark;
         self.running.pop();
         self.emit(code, total, total, term);
-        self.emit(Code::Add, variable, variable, one);
+        self.emit(Code::Next, variable, variable, variable);
         self.land(to_test);
         self.emit(Code::IfUpTo(top), variable, variable, end);
         self.used = usize::from(total) + 1;
         Ok(total)
     }
+}
+
+/// Takes a node of an expression for each step; whether they last, and the function doesn't call itself.
+fn is_short(expression: &Expr, steps: &mut u32) -> bool {
+    if *steps == 0 {
+        return false;
+    }
+    *steps -= 1;
+    let mut all = |parts: &[Expr]| parts.iter().all(|part| is_short(part, steps));
+    match expression {
+        Expr::Constant(_) | Expr::Parameter(_) | Expr::Running(_) => true,
+        Expr::Negate(e) => is_short(e, steps),
+        Expr::Binary(_, a, b) => is_short(a, steps) && is_short(b, steps),
+        Expr::Call(_, arguments) | Expr::User(_, arguments) | Expr::Component(_, arguments, _) => {
+            all(arguments)
+        }
+        Expr::Sum(parts) | Expr::Product(parts) => all(&**parts),
+        Expr::Recursion(_) => false,
+    }
+}
+
+/// What an operator makes of two numbers.
+fn folded(code: &Code, a: f64, b: f64) -> Option<f64> {
+    Some(match code {
+        Code::Add => a + b,
+        Code::Subtract => a - b,
+        Code::Multiply => a * b,
+        Code::Divide => a / b,
+        Code::Unary(Unary::Square) => a * a,
+        _ => return None,
+    })
 }
 
 fn too_big(function: &scene::Function) -> Unsupported {
@@ -329,45 +415,37 @@ fn too_big(function: &scene::Function) -> Unsupported {
 }
 
 /// `pow` with one of the exponents that POV-Ray writes out as products.
-fn constant_power(exponent: f64) -> Option<fn(f64) -> f64> {
-    Some(match exponent {
-        0.0 => |_| 1.0,
-        2.0 => |e| e * e,
-        3.0 => |e| e * e * e,
-        4.0 => |e| (e * e) * (e * e),
-        5.0 => |e| (e * e) * (e * e) * e,
-        6.0 => |e| (e * e) * (e * e) * (e * e),
-        7.0 => |e| ((e * e) * (e * e) * e) * (e * e),
-        8.0 => |e| ((e * e) * (e * e)) * ((e * e) * (e * e)),
-        _ => return None,
-    })
+fn constant_power(exponent: f64) -> Option<Unary> {
+    match exponent {
+        2.0 => Some(Unary::Square),
+        _ => (3..=8).find(|power| f64::from(*power) == exponent).map(Unary::Power),
+    }
 }
 
 fn one_argument(builtin: Builtin) -> Code {
     Code::Unary(match builtin {
-        Builtin::Abs => f64::abs,
-        Builtin::Acos => f64::acos,
-        // The C library's has the sign bit of its NaN set.
-        Builtin::Acosh => |v| if v < 1.0 { -f64::NAN } else { hyperbolic::acosh(v) },
-        Builtin::Asin => f64::asin,
-        Builtin::Asinh => hyperbolic::asinh,
-        Builtin::Atan => f64::atan,
-        Builtin::Atanh => hyperbolic::atanh,
-        Builtin::Ceil => f64::ceil,
-        Builtin::Cos => f64::cos,
-        Builtin::Cosh => f64::cosh,
-        Builtin::Degrees => |v| v * (180.0 / PI),
-        Builtin::Exp => f64::exp,
-        Builtin::Floor => f64::floor,
-        Builtin::Int => truncate,
-        Builtin::Ln => f64::ln,
-        Builtin::Log => f64::log10,
-        Builtin::Radians => |v| v * (PI / 180.0),
-        Builtin::Sin => f64::sin,
-        Builtin::Sinh => f64::sinh,
-        Builtin::Sqrt => f64::sqrt,
-        Builtin::Tan => f64::tan,
-        Builtin::Tanh => f64::tanh,
+        Builtin::Abs => Unary::Abs,
+        Builtin::Acos => Unary::Acos,
+        Builtin::Acosh => Unary::Acosh,
+        Builtin::Asin => Unary::Asin,
+        Builtin::Asinh => Unary::Asinh,
+        Builtin::Atan => Unary::Atan,
+        Builtin::Atanh => Unary::Atanh,
+        Builtin::Ceil => Unary::Ceil,
+        Builtin::Cos => Unary::Cos,
+        Builtin::Cosh => Unary::Cosh,
+        Builtin::Degrees => Unary::Degrees,
+        Builtin::Exp => Unary::Exp,
+        Builtin::Floor => Unary::Floor,
+        Builtin::Int => Unary::Int,
+        Builtin::Ln => Unary::Ln,
+        Builtin::Log => Unary::Log,
+        Builtin::Radians => Unary::Radians,
+        Builtin::Sin => Unary::Sin,
+        Builtin::Sinh => Unary::Sinh,
+        Builtin::Sqrt => Unary::Sqrt,
+        Builtin::Tan => Unary::Tan,
+        Builtin::Tanh => Unary::Tanh,
         // These take more; with one argument they are that argument.
         Builtin::Atan2
         | Builtin::Div
@@ -383,16 +461,9 @@ fn two_arguments(builtin: Builtin) -> Code {
     match builtin {
         Builtin::Max => Code::Max,
         Builtin::Min => Code::Min,
-        Builtin::Div => Code::Binary(|a, b| truncate(a / b)),
-        Builtin::Mod => Code::Binary(|a, b| a % b),
-        Builtin::Atan2 => Code::Binary(f64::atan2),
-        _ => Code::Binary(f64::powf),
+        Builtin::Div => Code::Quotient,
+        Builtin::Mod => Code::Remainder,
+        Builtin::Atan2 => Code::Atan2,
+        _ => Code::Power,
     }
-}
-
-/// Conversion to a 32-bit integer and back; what doesn't fit becomes the least one.
-fn truncate(v: f64) -> f64 {
-    let whole = v.trunc();
-    let fits = (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&whole);
-    if fits { whole } else { f64::from(i32::MIN) }
 }

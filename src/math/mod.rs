@@ -1,10 +1,12 @@
 //! Numbers, vectors and colours: what every other layer is built on. No I/O, no state but counts.
 
+pub mod band;
 pub mod bounds;
 pub mod color;
 pub mod confidence;
 pub mod gamma;
 pub mod hyperbolic;
+pub mod lanes;
 pub mod noise;
 pub mod roots;
 pub mod spline;
@@ -12,9 +14,11 @@ pub mod tally;
 pub mod transform;
 pub mod wide;
 
+pub use band::Band;
 pub use bounds::Bounds;
 pub use color::{Rgb, Rgbft};
 pub use gamma::Gamma;
 pub use glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
+pub use lanes::Lanes;
 pub use spline::Spline;
 pub use transform::Transform;

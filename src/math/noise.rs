@@ -1,6 +1,7 @@
 //! Noise: lattice noise, vector noise and turbulence, equal to POV-Ray's to the last bit
 //! (docs/spec/patterns-textures.md 1).
 
+pub mod along;
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 mod lattice;

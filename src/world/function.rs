@@ -2,14 +2,17 @@
 
 mod budget;
 pub mod internal;
+mod number;
 pub mod tape;
 
 use std::sync::Arc;
 
 use super::sample::{Colors, Field, Sample};
-use crate::math::{DVec3, Spline, Transform, tally};
+use crate::math::wide::widest;
+use crate::math::{Band, DVec3, Spline, Transform, tally};
 pub use budget::Budget;
 pub use internal::Internal;
+pub use number::Unary;
 pub use tape::Tape;
 
 /// A function of numbers.
@@ -21,6 +24,7 @@ pub struct Function {
     pub depth: u32,
     /// What it computes.
     pub body: Body,
+    known: bool,
 }
 
 /// What a [`Function`] computes.
@@ -41,6 +45,16 @@ pub enum Body {
 }
 
 impl Function {
+    /// A function of so many numbers that calls functions this deep, itself included.
+    pub fn new(parameters: usize, depth: u32, body: Body) -> Self {
+        let known = match &body {
+            Body::Tape(tape) => tape.is_known(),
+            Body::Internal(_) | Body::Transform(_) => true,
+            Body::Pattern(_) | Body::Pigment(_) | Body::Spline(_) => false,
+        };
+        Self { parameters, depth, body, known }
+    }
+
     /// The value: of functions with several components, the first. Missing arguments count as 0.
     pub fn call(&self, arguments: &[f64]) -> f64 {
         match &self.body {
@@ -94,6 +108,50 @@ impl Function {
     }
 }
 
+/// Functions of bands.
+impl Function {
+    /// What holds the values for all arguments that are held by these. Everything, where nothing is known
+    /// of the function.
+    #[inline(always)]
+    pub fn enclose(&self, arguments: &[Band]) -> Band {
+        match &self.body {
+            Body::Tape(tape) => {
+                tally::functions(1);
+                tape.enclose(arguments, &Budget::default())
+            }
+            _ => self.enclose_within(arguments, 0, &Budget::default()),
+        }
+    }
+
+    /// The same of one component, spending what is left of a budget.
+    pub fn enclose_within(&self, arguments: &[Band], component: u8, budget: &Budget) -> Band {
+        let at = |i: usize| arguments.get(i).copied().unwrap_or(Band::constant(0.0));
+        match &self.body {
+            Body::Tape(tape) => {
+                tally::functions(1);
+                tape.enclose(arguments, budget)
+            }
+            Body::Internal(internal) => {
+                tally::functions(1);
+                internal.enclose(arguments)
+            }
+            Body::Transform(transform) if component < 3 => {
+                let [axes @ .., origin] = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ZERO]
+                    .map(|p| transform.point(p)[usize::from(component)]);
+                let [x, y, z] = axes.map(|v| v - origin);
+                at(0) * x + at(1) * y + at(2) * z + origin
+            }
+            _ => Band::UNKNOWN,
+        }
+    }
+
+    /// Whether [`Self::enclose`] knows the function, so that bands of short stretches are narrow wherever
+    /// it is continuous.
+    pub fn is_known(&self) -> bool {
+        self.known
+    }
+}
+
 /// The point that the first three arguments are.
 fn point(arguments: &[f64]) -> DVec3 {
     let at = |i: usize| arguments.get(i).copied().unwrap_or(0.0);
@@ -103,9 +161,21 @@ fn point(arguments: &[f64]) -> DVec3 {
 /// The `function` pattern: a function of a point.
 impl Field for Function {
     fn value(&self, sample: &Sample) -> f64 {
-        match &self.body {
-            Body::Pattern(pattern) => pattern.value(&Sample::at(sample.point)),
-            _ => self.call(&sample.point.to_array()),
-        }
+        self.at(sample.point)
+    }
+
+    fn at(&self, point: DVec3) -> f64 {
+        self.call(&point.to_array())
+    }
+
+    fn enclose(&self, point: &[Band; 3]) -> Band {
+        widest(
+            #[inline(always)]
+            || self.enclose(point),
+        )
+    }
+
+    fn is_known(&self) -> bool {
+        self.is_known()
     }
 }

@@ -7,11 +7,11 @@ use smallvec::SmallVec;
 
 use super::accel::{Accel, Hull, Slabs};
 use super::csg::Found;
-use super::object::{LeafFlags, Member, RayKind};
+use super::object::{Leaf, LeafFlags, Member, RayKind};
 use super::parts::{Object, Parts};
 use super::ray::{Range, Ray};
 use super::screen::{SHUT, Screen, UNKNOWN};
-use super::shape::{Crossing, Shape};
+use super::shape::{Crossing, Remark, Shape};
 use crate::math::DVec3;
 use crate::math::wide::widest;
 use crate::options::Accelerator;
@@ -53,6 +53,11 @@ pub struct Geometry {
 }
 
 impl Geometry {
+    /// What rays have found out about leaves, for their authors.
+    pub fn remarks(&self) -> impl Iterator<Item = (&Leaf, Remark)> {
+        self.parts().leaves.iter().filter_map(|leaf| Some((leaf, leaf.primitive.remark()?)))
+    }
+
     /// Makes the objects of `parts` searchable.
     pub fn new(parts: Parts, accelerator: Accelerator) -> Self {
         let mut boxes = Vec::with_capacity(parts.objects.len());

@@ -1,7 +1,7 @@
 //! What is known at a point where patterns, pigments and normals are asked for, and how they,
 //! functions and shapes see each other.
 
-use crate::math::{DVec2, DVec3, Rgbft};
+use crate::math::{Band, DVec2, DVec3, Rgbft};
 use crate::world::warp::Warps;
 
 /// A place where a texture is evaluated.
@@ -94,6 +94,22 @@ impl Enclosing<'_> {
 pub trait Field: Send + Sync + std::fmt::Debug {
     /// The number at `sample`.
     fn value(&self, sample: &Sample) -> f64;
+
+    /// The number at a point without a surface.
+    fn at(&self, point: DVec3) -> f64 {
+        self.value(&Sample::at(point))
+    }
+
+    /// What holds the numbers at all points whose coordinates these hold.
+    fn enclose(&self, _point: &[Band; 3]) -> Band {
+        Band::UNKNOWN
+    }
+
+    /// Whether [`Field::enclose`] knows the field: the bands of short stretches are narrow, wherever it is
+    /// continuous.
+    fn is_known(&self) -> bool {
+        false
+    }
 }
 
 /// Gives a colour at every sample: pigments.

@@ -5,7 +5,7 @@ use crate::compile::Unsupported;
 use crate::compile::texture::TextureCompiler;
 use crate::scene::shape as scene;
 use crate::world::shape::r#box::Cuboid;
-use crate::world::shape::isosurface::{Container, Isosurface};
+use crate::world::shape::isosurface::{Container, Isosurface, Steepest};
 use crate::world::shape::sphere::Sphere;
 
 /// The most crossings that `max_trace` and `all_intersections` stand for.
@@ -29,6 +29,7 @@ pub fn isosurface(
         adaptive: surface.evaluate.map(|[_, share, _]| share.max(1.0)),
         most: surface.max_trace.unwrap_or(MOST).clamp(1, MOST) as usize,
         open: surface.open,
+        steepest: Steepest::default(),
     })))
 }
 

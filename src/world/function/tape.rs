@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
+use super::number::{Number, Unary};
 use super::{Budget, Function, Internal};
+use crate::math::Band;
 
 /// A register's number. Parameters come first, intermediate values next, constants last.
 pub type Register = u16;
@@ -12,7 +14,7 @@ pub type Register = u16;
 pub struct Op {
     /// What to do.
     pub code: Code,
-    /// The register that takes the result.
+    /// The register that takes the result; for jumps the one that takes the chosen value.
     pub to: Register,
     /// The first operand.
     pub a: Register,
@@ -42,10 +44,15 @@ pub enum Code {
     Min,
     Max,
     Negate,
+    Power,
+    Remainder,
+    /// The quotient without its fraction.
+    Quotient,
+    Atan2,
+    /// The next number of those that a sum runs over.
+    Next,
     /// A function of `a`.
-    Unary(fn(f64) -> f64),
-    /// A function of `a` and `b`.
-    Binary(fn(f64, f64) -> f64),
+    Unary(Unary),
     /// An internal function of the registers from `a` on.
     Internal(Internal),
     /// The component with this index of a function of the registers from `a` on.
@@ -54,9 +61,10 @@ pub enum Code {
     Recursion,
     /// Goes on with this operation.
     Jump(u32),
-    /// Goes on with this operation if `a` is less than 0.
+    /// Goes on with this operation if `a` is less than 0. Before it is the [`Code::Jump`] to the end of
+    /// both ways, which put their value into `to`.
     IfNegative(u32),
-    /// Goes on with this operation if `a` is 0.
+    /// The same if `a` is 0.
     IfZero(u32),
     /// Goes on with this operation if `a` is at most `b`.
     IfUpTo(u32),
@@ -74,6 +82,25 @@ pub struct Tape {
     constants: Box<[f64]>,
     ops: Box<[Op]>,
     result: Register,
+}
+
+/// A number that tapes can compute with.
+pub(super) trait Operand: Number {
+    /// A component of a function.
+    fn call(function: &Function, arguments: &[Self], component: u8, budget: &Budget) -> Self;
+    /// An internal function.
+    fn internal(internal: &Internal, arguments: &[Self]) -> Self;
+    /// The value of a tape that calls itself.
+    fn recursion(tape: &Tape, arguments: &[Self], budget: &Budget) -> Self;
+    /// Runs a part of a tape out of line.
+    fn aside<const SIZE: usize>(tape: &Tape, way: Way, r: &mut [Self; SIZE], budget: &Budget) -> bool;
+}
+
+/// A part of a tape: the first operation, and the one behind the last.
+#[derive(Clone, Copy)]
+pub(super) struct Way {
+    from: usize,
+    to: usize,
 }
 
 impl Tape {
@@ -100,97 +127,196 @@ impl Tape {
 
     /// The value for these arguments; missing ones count as 0. NaN when the budget is spent.
     pub fn run(&self, arguments: &[f64], budget: &Budget) -> f64 {
-        if self.first_constant + self.constants.len() <= FEW {
-            self.run_in(&mut [0.0; FEW], arguments, budget)
+        self.evaluate(arguments, budget)
+    }
+
+    /// What holds the values for all arguments that are held by these.
+    #[inline(always)]
+    pub fn enclose(&self, arguments: &[Band], budget: &Budget) -> Band {
+        self.evaluate(arguments, budget)
+    }
+
+    /// Whether [`Self::enclose`] knows all that is in it.
+    pub fn is_known(&self) -> bool {
+        self.ops.iter().all(|op| match &op.code {
+            Code::Call(function, _) => function.is_known(),
+            Code::Recursion => false,
+            _ => true,
+        })
+    }
+
+    #[inline(always)]
+    fn evaluate<N: Operand>(&self, arguments: &[N], budget: &Budget) -> N {
+        let registers = self.first_constant + self.constants.len();
+        if registers <= FEW / 2 {
+            self.evaluate_in::<N, { FEW / 2 }>(arguments, budget)
+        } else if registers <= FEW {
+            self.evaluate_in::<N, FEW>(arguments, budget)
         } else {
-            self.run_in(&mut [0.0; MANY], arguments, budget)
+            self.evaluate_among_many(arguments, budget)
         }
     }
 
-    fn run_in(&self, r: &mut [f64], arguments: &[f64], budget: &Budget) -> f64 {
-        let given = arguments.len().min(self.parameters);
-        r[..given].copy_from_slice(&arguments[..given]);
-        r[self.first_constant..][..self.constants.len()].copy_from_slice(&self.constants);
-        let mut at = 0;
-        while let Some(op) = self.ops.get(at) {
+    #[inline(never)]
+    fn evaluate_among_many<N: Operand>(&self, arguments: &[N], budget: &Budget) -> N {
+        self.evaluate_in::<N, MANY>(arguments, budget)
+    }
+
+    #[inline(always)]
+    fn evaluate_in<N: Operand, const SIZE: usize>(&self, arguments: &[N], budget: &Budget) -> N {
+        let mut r = [N::constant(0.0); SIZE];
+        for (register, argument) in r.iter_mut().zip(&arguments[..arguments.len().min(self.parameters)]) {
+            *register = *argument;
+        }
+        for (register, constant) in r[self.first_constant..].iter_mut().zip(&self.constants) {
+            *register = N::constant(*constant);
+        }
+        let whole = Way { from: 0, to: self.ops.len() };
+        if self.steps(whole, &mut r, budget) {
+            r[usize::from(self.result) & (SIZE - 1)]
+        } else {
+            N::unknown()
+        }
+    }
+
+    /// Runs a part; whether it came to its end.
+    #[inline(always)]
+    pub(super) fn steps<N: Operand, const SIZE: usize>(
+        &self,
+        way: Way,
+        r: &mut [N; SIZE],
+        budget: &Budget,
+    ) -> bool {
+        // Registers are numbered within the size, a power of two: masking saves the check.
+        let index = |register: Register| usize::from(register) & (SIZE - 1);
+        let mut at = way.from;
+        while let Some(op) = self.ops.get(at)
+            && at < way.to
+        {
             at += 1;
-            let (a, b) = (r[usize::from(op.a)], r[usize::from(op.b)]);
-            r[usize::from(op.to)] = match &op.code {
-                Code::Copy => a,
-                Code::Add => a + b,
-                Code::Subtract => a - b,
-                Code::Multiply => a * b,
-                Code::Divide => a / b,
-                Code::Less => truth(a < b),
-                Code::LessEqual => truth(a <= b),
-                Code::Greater => truth(a > b || is_no_number(a, b)),
-                Code::GreaterEqual => truth(a >= b || is_no_number(a, b)),
-                Code::Equal => truth(a == b),
-                Code::NotEqual => truth(a != b),
-                Code::And => truth(a != 0.0 && b != 0.0),
-                Code::Or => truth(a != 0.0 || b != 0.0),
-                Code::Min => {
-                    if a < b {
-                        a
-                    } else {
-                        b
-                    }
-                }
-                Code::Max => {
-                    if a < b {
-                        b
-                    } else {
-                        a
-                    }
-                }
-                Code::Negate => -a,
-                Code::Unary(function) => function(a),
-                Code::Binary(function) => function(a, b),
-                Code::Internal(internal) => internal.call(&r[usize::from(op.a)..]),
+            let (a, b) = (&r[index(op.a)], &r[index(op.b)]);
+            let value = match &op.code {
+                Code::Copy => *a,
+                Code::Add => *a + *b,
+                Code::Subtract => *a - *b,
+                Code::Multiply => *a * *b,
+                Code::Divide => *a / *b,
+                Code::Less => a.less(*b),
+                Code::LessEqual => a.less_equal(*b),
+                Code::Greater => a.less_equal(*b).not(),
+                Code::GreaterEqual => a.less(*b).not(),
+                Code::Equal => a.equal(*b),
+                Code::NotEqual => a.equal(*b).not(),
+                Code::And => a.and(*b),
+                Code::Or => a.not().and(b.not()).not(),
+                Code::Min => a.lower(*b),
+                Code::Max => a.upper(*b),
+                Code::Negate => -*a,
+                Code::Power => a.powf(*b),
+                Code::Remainder => a.rem(*b),
+                Code::Quotient => a.quotient(*b),
+                Code::Atan2 => a.atan2(*b),
+                Code::Next => a.fixed().map_or_else(N::unknown, |v| N::constant(v + 1.0)),
+                Code::Unary(function) => a.unary(*function),
+                Code::Internal(internal) => N::internal(internal, &r[index(op.a)..]),
                 Code::Call(function, component) => {
-                    let mut value = [0.0; 5];
                     if !budget.spend() {
-                        return f64::NAN;
+                        return false;
                     }
-                    let arguments = &r[usize::from(op.a)..][..function.parameters];
-                    function.call_within(arguments, &mut value, budget);
-                    value.get(usize::from(*component)).copied().unwrap_or(0.0)
+                    let arguments = &r[index(op.a)..][..function.parameters];
+                    N::call(function, arguments, *component, budget)
                 }
-                Code::Recursion => {
-                    let arguments = &r[usize::from(op.a)..][..self.parameters];
-                    budget.deeper(|| self.run(arguments, budget))
-                }
+                Code::Recursion => N::recursion(self, &r[index(op.a)..][..self.parameters], budget),
                 Code::Jump(target) => {
                     at = *target as usize;
                     continue;
                 }
-                Code::IfNegative(target) => {
-                    at = if a < 0.0 { *target as usize } else { at };
-                    continue;
-                }
-                Code::IfZero(target) => {
-                    at = if a == 0.0 { *target as usize } else { at };
+                Code::IfNegative(target) | Code::IfZero(target) => {
+                    let condition = *a;
+                    let is_sign = matches!(op.code, Code::IfNegative(_));
+                    let holds = if is_sign { condition.is_negative() } else { condition.is_zero() };
+                    let target = *target as usize;
+                    match holds {
+                        Some(true) => at = target,
+                        Some(false) => {}
+                        None => {
+                            let Some(Code::Jump(end)) =
+                                self.ops.get(target.wrapping_sub(1)).map(|op| &op.code)
+                            else {
+                                return false;
+                            };
+                            let (end, to) = (*end as usize, index(op.to));
+                            if !N::aside(self, Way { from: at, to: end }, r, budget) {
+                                return false;
+                            }
+                            let other = r[to];
+                            if !N::aside(self, Way { from: target, to: end }, r, budget) {
+                                return false;
+                            }
+                            let held = r[to];
+                            r[to] = if is_sign { condition.choose(held, other) } else { held.either(other) };
+                            at = end;
+                        }
+                    }
                     continue;
                 }
                 Code::IfUpTo(target) => {
-                    if a <= b {
+                    let (Some(from), Some(to)) = (a.fixed(), b.fixed()) else {
+                        return false;
+                    };
+                    if from <= to {
                         if !budget.spend() {
-                            return f64::NAN;
+                            return false;
                         }
                         at = *target as usize;
                     }
                     continue;
                 }
             };
+            r[index(op.to)] = value;
         }
-        r[usize::from(self.result)]
+        true
     }
 }
 
-fn is_no_number(a: f64, b: f64) -> bool {
-    a.is_nan() || b.is_nan()
+impl Operand for f64 {
+    fn call(function: &Function, arguments: &[Self], component: u8, budget: &Budget) -> Self {
+        let mut value = [0.0; 5];
+        function.call_within(arguments, &mut value, budget);
+        value.get(usize::from(component)).copied().unwrap_or(0.0)
+    }
+
+    #[inline(always)]
+    fn internal(internal: &Internal, arguments: &[Self]) -> Self {
+        internal.call(arguments)
+    }
+
+    fn recursion(tape: &Tape, arguments: &[Self], budget: &Budget) -> Self {
+        budget.deeper(|| tape.run(arguments, budget))
+    }
+
+    #[inline(always)]
+    fn aside<const SIZE: usize>(_: &Tape, _: Way, _: &mut [Self; SIZE], _: &Budget) -> bool {
+        // Whether a number is negative or 0 is always known.
+        false
+    }
 }
 
-fn truth(holds: bool) -> f64 {
-    f64::from(u8::from(holds))
+impl Operand for Band {
+    fn call(function: &Function, arguments: &[Self], component: u8, budget: &Budget) -> Self {
+        function.enclose_within(arguments, component, budget)
+    }
+
+    fn internal(internal: &Internal, arguments: &[Self]) -> Self {
+        internal.enclose(arguments)
+    }
+
+    /// Both ways of every choice would be gone, for ever.
+    fn recursion(_: &Tape, _: &[Self], _: &Budget) -> Self {
+        Self::UNKNOWN
+    }
+
+    fn aside<const SIZE: usize>(tape: &Tape, way: Way, r: &mut [Self; SIZE], budget: &Budget) -> bool {
+        tape.steps(way, r, budget)
+    }
 }

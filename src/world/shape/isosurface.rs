@@ -1,15 +1,19 @@
 //! `isosurface` (docs/spec/primitives.md 5.2).
 
+mod search;
+
+use std::cell::Cell;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::r#box::Cuboid;
 use super::sphere::Sphere;
 use super::stretch::Stretch;
-use super::{Crossing, Shape};
-use crate::math::roots::between;
+use super::{Crossing, Remark, Shape};
 use crate::math::{Bounds, DVec3};
-use crate::world::sample::{Field, Sample};
+use crate::world::sample::Field;
 use crate::world::{Range, Ray};
+use search::Search;
 
 /// Where a function has the value of a threshold, within a container; inside it isn't above.
 ///
@@ -22,10 +26,11 @@ pub struct Isosurface {
     pub threshold: f64,
     /// Where the surface is looked for.
     pub container: Container,
-    /// The shortest stretch that is looked at, also the step that gives normals; positive.
+    /// What is thinner may be missed, if only by functions of which nothing is known or where the surface all but
+    /// touches the ray; also the step that gives normals; positive.
     pub accuracy: f64,
-    /// The steepest the function is, as its author says: a stretch that it can't cross zero in at this
-    /// gradient is passed over.
+    /// The steepest the function is, as its author says. Where nothing else is known of the function a stretch
+    /// that it can't cross zero in at this gradient is passed over.
     pub max_gradient: f64,
     /// The share by which a steeper gradient met on the way exceeds itself as the new bound.
     pub adaptive: Option<f64>,
@@ -33,6 +38,29 @@ pub struct Isosurface {
     pub most: usize,
     /// Without the container's own surface where it cuts the solid.
     pub open: bool,
+    /// The steepest gradient that rays have met.
+    pub steepest: Steepest,
+}
+
+/// The largest of many positive numbers, 0 before there are any.
+#[derive(Debug, Default)]
+pub struct Steepest(AtomicU64);
+
+impl Steepest {
+    fn add(&self, gradient: f64) {
+        // Bits of numbers that aren't negative are in their order.
+        self.0.fetch_max(gradient.to_bits(), Ordering::Relaxed);
+    }
+
+    fn get(&self) -> f64 {
+        f64::from_bits(self.0.load(Ordering::Relaxed))
+    }
+}
+
+impl Clone for Steepest {
+    fn clone(&self) -> Self {
+        Self(AtomicU64::new(self.get().to_bits()))
+    }
 }
 
 /// The container of an [`Isosurface`].
@@ -75,58 +103,27 @@ impl Container {
 /// POV-Ray starts this many times the accuracy behind a surface to look for the next.
 const AWAY: f64 = 5.0;
 
-/// A search along one ray, in which distances are lengths.
-struct Search<'a> {
-    surface: &'a Isosurface,
-    origin: DVec3,
-    direction: DVec3,
-    gradient: f64,
-    accuracy: f64,
-}
-
-impl Search<'_> {
-    fn value(&self, t: f64) -> f64 {
-        self.surface.value(self.origin + t * self.direction)
-    }
-
-    /// The first place behind `from` at which the value times `sign` becomes negative, up to `to`;
-    /// with the end of the short stretch it was found in.
-    fn first(&mut self, from: f64, to: f64, sign: f64) -> Option<(f64, f64)> {
-        let at = |search: &Self, t: f64| (t, sign * search.value(t));
-        let mut low = at(self, from);
-        let mut rest = vec![at(self, to)];
-        while let Some(high) = rest.last().copied() {
-            let length = high.0 - low.0;
-            if let Some(share) = self.surface.adaptive {
-                let slope = (high.1 - low.1).abs() / length * share;
-                if slope > self.gradient {
-                    self.gradient = slope * share;
-                }
-            }
-            let middle = low.0 + 0.5 * length;
-            if length < self.accuracy || middle <= low.0 || middle >= high.0 {
-                if high.1 < 0.0 {
-                    let root = if low.1 > 0.0 { between(low, high, |t| sign * self.value(t)) } else { low.0 };
-                    return Some((root, high.0));
-                }
-            } else if low.1 + high.1 - self.gradient * length < 0.0 {
-                rest.push(at(self, middle));
-                continue;
-            }
-            low = high;
-            rest.pop();
-        }
-        None
-    }
-}
-
 impl Isosurface {
     fn value(&self, point: DVec3) -> f64 {
-        self.function.value(&Sample::at(point)) - self.threshold
+        self.function.at(point) - self.threshold
     }
 
     /// Calls back with the crossings from `start` on, ascending, until it returns `false`.
-    fn walk(&self, ray: &Ray, start: f64, mut found: impl FnMut(Crossing) -> bool) {
+    fn walk(&self, ray: &Ray, start: f64, found: impl FnMut(Crossing) -> bool) {
+        let steepest = Cell::new(0.0);
+        self.walk_along(ray, start, &steepest, found);
+        if steepest.get() > self.max_gradient {
+            self.steepest.add(steepest.get());
+        }
+    }
+
+    fn walk_along(
+        &self,
+        ray: &Ray,
+        start: f64,
+        steepest: &Cell<f64>,
+        mut found: impl FnMut(Crossing) -> bool,
+    ) {
         let speed = ray.direction.length();
         let Some(stretch) =
             self.container.stretch(ray).filter(|s| s.enter.t.is_finite() && s.leave.t > start)
@@ -139,6 +136,7 @@ impl Isosurface {
             origin: ray.at(begin),
             direction: ray.direction / speed,
             gradient: self.max_gradient,
+            steepest,
             // In POV-Ray it is a length in the scene, which is too coarse for what is scaled down.
             accuracy: self.accuracy * speed.min(1.0),
         };
@@ -226,6 +224,13 @@ impl Shape for Isosurface {
         crossing.at[0]
     }
 
+    /// POV-Ray warns of it too, but not with `evaluate`.
+    fn remark(&self) -> Option<Remark> {
+        let (found, said) = (self.steepest.get(), self.max_gradient);
+        let wrong = self.adaptive.is_none() && found > said * (1.0 + 1e-6);
+        wrong.then_some(Remark::TooSteep { found, said, holes: !self.function.is_known() })
+    }
+
     fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
         match crossing.part.checked_sub(1) {
             Some(part) => self.container.shape().reproject(point, &Crossing::new(crossing.t, part)),
@@ -238,6 +243,8 @@ impl Shape for Isosurface {
 mod tests {
     use super::super::battery::{Probe, battery, table};
     use super::*;
+    use crate::math::Band;
+    use crate::world::sample::Sample;
 
     /// x² + y² + z² - 1.
     #[derive(Debug)]
@@ -246,6 +253,46 @@ mod tests {
     impl Field for Ball {
         fn value(&self, sample: &Sample) -> f64 {
             sample.point.length_squared() - 1.0
+        }
+
+        fn enclose(&self, point: &[Band; 3]) -> Band {
+            square(point) - 1.0
+        }
+
+        fn is_known(&self) -> bool {
+            true
+        }
+    }
+
+    fn square([x, y, z]: &[Band; 3]) -> Band {
+        x.square() + y.square() + z.square()
+    }
+
+    /// The same, of which nothing is known.
+    #[derive(Debug)]
+    struct Hidden;
+
+    impl Field for Hidden {
+        fn value(&self, sample: &Sample) -> f64 {
+            Ball.value(sample)
+        }
+    }
+
+    /// A shell of the unit sphere, this thick on both sides.
+    #[derive(Debug)]
+    struct Shell(f64);
+
+    impl Field for Shell {
+        fn value(&self, sample: &Sample) -> f64 {
+            (sample.point.length() - 1.0).abs() - self.0
+        }
+
+        fn enclose(&self, point: &[Band; 3]) -> Band {
+            (square(point).sqrt() - 1.0).abs() - self.0
+        }
+
+        fn is_known(&self) -> bool {
+            true
         }
     }
 
@@ -263,6 +310,7 @@ mod tests {
             adaptive: None,
             most: 1,
             open: false,
+            steepest: Steepest::default(),
         }
     }
 
@@ -273,6 +321,14 @@ mod tests {
     impl Field for Distance {
         fn value(&self, sample: &Sample) -> f64 {
             sample.point.length() - self.0
+        }
+
+        fn enclose(&self, point: &[Band; 3]) -> Band {
+            square(point).sqrt() - self.0
+        }
+
+        fn is_known(&self) -> bool {
+            true
         }
     }
 
@@ -352,10 +408,48 @@ mod tests {
     }
 
     #[test]
-    fn a_gradient_said_too_small_hides_the_surface_as_in_povray() {
-        let ray = Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z);
+    fn a_gradient_said_too_small_makes_no_holes_and_is_remarked_on() {
         let flat = Isosurface { max_gradient: 0.2, ..ball(cube(2.0)) };
-        assert!(flat.nearest(&ray, Range::AHEAD).is_none());
+        near(&flat, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], [0.1, 0.2, -0.974609375]);
+        let Some(Remark::TooSteep { found, said: 0.2, holes: false }) = flat.remark() else {
+            panic!("{:?}", flat.remark());
+        };
+        assert!((1.0..4.0).contains(&found), "{found}");
+        let right = ball(cube(2.0));
+        near(&right, [0.1, 0.2, -5.0], [0.0, 0.0, 1.0], [0.1, 0.2, -0.974609375]);
+        assert_eq!(right.remark(), None);
+    }
+
+    #[test]
+    fn of_functions_of_which_nothing_is_known_the_gradient_must_be_right() {
+        let ray = Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z);
+        let hidden =
+            |max_gradient| Isosurface { function: Arc::new(Hidden), max_gradient, ..ball(cube(2.0)) };
+        let found = hidden(4.0).nearest(&ray, Range::AHEAD).unwrap().t;
+        assert_eq!(found, ball(cube(2.0)).nearest(&ray, Range::AHEAD).unwrap().t);
+        assert!(hidden(0.2).nearest(&ray, Range::AHEAD).is_none());
+    }
+
+    #[test]
+    fn what_is_thinner_than_the_accuracy_is_found() {
+        let thin = Isosurface { function: Arc::new(Shell(1e-5)), accuracy: 0.01, ..ball(cube(2.0)) };
+        for n in 0..200 {
+            let ray = Ray::new(DVec3::new(f64::from(n) * 0.004, 0.13, -5.0), DVec3::Z);
+            let found = thin.nearest(&ray, Range::AHEAD).map(|crossing| ray.at(crossing.t).length());
+            assert!(found.is_some_and(|length| (length - 1.00001).abs() < 1e-14), "{n}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn rays_that_all_but_touch_the_surface_meet_it() {
+        for depth in [1e-3, 1e-6, 1e-9] {
+            let ray = Ray::new(DVec3::new(0.0, 1.0 - depth, -5.0), DVec3::Z);
+            let half = (depth * (2.0 - depth)).sqrt();
+            let found = ball(cube(2.0)).nearest(&ray, Range::AHEAD).map(|crossing| crossing.t);
+            assert!(found.is_some_and(|t| (t - 5.0 + half).abs() < 1e-14 / half), "{depth}: {found:?}");
+            let beside = Ray::new(DVec3::new(0.0, 1.0 + depth, -5.0), DVec3::Z);
+            assert!(ball(cube(2.0)).nearest(&beside, Range::AHEAD).is_none());
+        }
     }
 
     #[test]

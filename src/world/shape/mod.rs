@@ -56,6 +56,20 @@ impl Crossing {
     }
 }
 
+/// What rays have found out about a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Remark {
+    /// It is steeper than its author says.
+    TooSteep {
+        /// The steepest gradient that rays have met.
+        found: f64,
+        /// What its author says.
+        said: f64,
+        /// Whether that makes holes.
+        holes: bool,
+    },
+}
+
 /// The number that stands for the object's own texture among those of [`Shape::textures`].
 pub const OWN_TEXTURE: u32 = u32::MAX;
 
@@ -135,6 +149,11 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     /// textures are looked up and normals taken, while rays leave from the crossing itself.
     fn lag(&self, _crossing: &Crossing) -> f64 {
         0.0
+    }
+
+    /// What its author should know once rays have been there.
+    fn remark(&self) -> Option<Remark> {
+        None
     }
 
     /// Moves a computed hit point onto the surface as exactly as f64 allows.

@@ -7,15 +7,16 @@ use super::isosurface::Container;
 use super::stretch::Stretch;
 use super::triangle::{Sheared, blend};
 use super::{Crossing, Shape};
-use crate::math::{Bounds, DMat3, DVec2, DVec3};
+use crate::math::{Band, Bounds, DMat3, DVec2, DVec3, Lanes};
 use crate::world::accel::Bvh;
 use crate::world::sample::{Field, Sample};
 use crate::world::{Range, Ray};
 
 /// The points that three functions give for a rectangle of parameters u and v, within a container.
 ///
-/// [`Crossing::at`] are the parameters. Nothing is missed if no function is steeper than it is said to be:
-/// every tile of parameters has a box that then surely holds its points.
+/// [`Crossing::at`] are the parameters. Nothing is missed: every tile of parameters has a box that surely holds
+/// its points, by the bands of the functions, or where nothing is known of them if none is steeper than it is
+/// said to be.
 #[derive(Clone, Debug)]
 pub struct Parametric {
     description: Description,
@@ -63,11 +64,13 @@ struct Tile {
     from: DVec2,
     to: DVec2,
     corners: [[DVec3; 2]; 2],
+    /// A box around all points.
+    bounds: Bounds,
 }
 
 impl Tile {
     /// A box around all points, if no coordinate is steeper than `gradient`.
-    fn bounds(&self, gradient: f64) -> Bounds {
+    fn bounds_by_gradient(&self, gradient: f64) -> Bounds {
         let size = self.to - self.from;
         // What a slope can reach beyond both ends of a stretch.
         let room = |p: DVec3, q: DVec3, length: f64| {
@@ -84,6 +87,42 @@ impl Tile {
     }
 }
 
+impl Description {
+    /// Puts the boxes around two tiles.
+    fn bound(&self, tiles: &mut [Tile; 2]) {
+        if !self.functions.iter().all(|function| function.is_known()) {
+            for tile in tiles {
+                tile.bounds = tile.bounds_by_gradient(self.max_gradient);
+            }
+            return;
+        }
+        // For each tile twice: lines along u with all of v beside them, and the other way round.
+        let [(a, p), (b, q)] =
+            tiles.each_ref().map(|tile| (0.5 * (tile.from + tile.to), 0.5 * (tile.to - tile.from)));
+        let u = Band {
+            reach: Lanes([0.0, p.x, 0.0, q.x]),
+            ..Band::line(Lanes([a.x, a.x, b.x, b.x]), Lanes([p.x, 0.0, q.x, 0.0]))
+        };
+        let v = Band {
+            reach: Lanes([p.y, 0.0, q.y, 0.0]),
+            ..Band::line(Lanes([a.y, a.y, b.y, b.y]), Lanes([0.0, p.y, 0.0, q.y]))
+        };
+        let at = [u.loose(), v.loose(), Band::constant(0.0)];
+        let boxes = self.functions.each_ref().map(|function| {
+            let band = function.enclose(&at);
+            (band.low().0, band.high().0)
+        });
+        for (i, tile) in tiles.iter_mut().enumerate() {
+            let (lines, across) = (2 * i, 2 * i + 1);
+            // What is no number says nothing.
+            let low = |n: usize| boxes[n].0[lines].max(boxes[n].0[across]).max(f64::NEG_INFINITY);
+            let high = |n: usize| boxes[n].1[lines].min(boxes[n].1[across]).min(f64::INFINITY);
+            let min = DVec3::new(low(0), low(1), low(2));
+            tile.bounds = Bounds { min, max: DVec3::new(high(0), high(1), high(2)) };
+        }
+    }
+}
+
 impl Parametric {
     /// `None` where there are no parameters, or no points in the container.
     pub fn new(description: Description) -> Option<Self> {
@@ -96,9 +135,11 @@ impl Parametric {
         let places = (0..=TILES).flat_map(|u| (0..=TILES).map(move |v| (u, v)));
         surface.corners = places.map(|(u, v)| surface.point(surface.parameters(u, v))).collect();
         let container = surface.extent();
-        let tiles = (0..(TILES * TILES) as u32).map(|tile| (surface.tile(tile), tile));
-        let boxes = tiles.map(|(tile, number)| {
-            (tile.bounds(surface.description.max_gradient).intersection(container), number)
+        let boxes = (0..(TILES * TILES / 2) as u32).flat_map(|pair| {
+            let numbers = [2 * pair, 2 * pair + 1];
+            let mut tiles = numbers.map(|number| surface.tile(number));
+            surface.description.bound(&mut tiles);
+            tiles.map(|tile| tile.bounds.intersection(container)).into_iter().zip(numbers)
         });
         let boxes: Vec<_> = boxes.filter(|(bounds, _)| bounds.is_finite() && !bounds.is_empty()).collect();
         let bounds = boxes.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(*bounds));
@@ -118,6 +159,7 @@ impl Parametric {
             from: self.parameters(u, v),
             to: self.parameters(u + 1, v + 1),
             corners: [u, u + 1].map(|u| [corner(u, v), corner(u, v + 1)]),
+            bounds: Bounds::ALL,
         }
     }
 
@@ -141,7 +183,9 @@ impl Parametric {
             low.corners = [0, 1].map(|u| [tile.corners[u][0], across[u]]);
             high.corners = [0, 1].map(|u| [across[u], tile.corners[u][1]]);
         }
-        [low, high]
+        let mut halves = [low, high];
+        self.description.bound(&mut halves);
+        halves
     }
 
     /// How fast the point goes along u and v.
@@ -213,10 +257,10 @@ impl Parametric {
         let mut max = range.max;
         let mut waiting = Vec::new();
         self.bvh.along(ray, range, |number| {
-            waiting.push(self.tile(number));
+            let [low, high] = self.halves(&self.tile(number));
+            waiting.extend([high, low]);
             while let Some(tile) = waiting.pop() {
-                let bounds = tile.bounds(self.description.max_gradient);
-                let cuboid = Cuboid { min: bounds.min, max: bounds.max };
+                let cuboid = Cuboid { min: tile.bounds.min, max: tile.bounds.max };
                 let Some(Stretch { enter, leave }) = cuboid.stretch(ray) else { continue };
                 let (low, high) = (enter.t.max(stretch.enter.t), leave.t.min(stretch.leave.t));
                 if low > high || high < range.min || low > max {
@@ -312,95 +356,4 @@ impl Shape for Parametric {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::f64::consts::{PI, TAU};
-
-    use super::super::battery::{Probe, battery};
-    use super::super::sphere::Sphere;
-    use super::*;
-
-    /// A coordinate by its formula.
-    #[derive(Debug)]
-    struct Formula(fn(f64, f64) -> f64);
-
-    impl Field for Formula {
-        fn value(&self, sample: &Sample) -> f64 {
-            (self.0)(sample.point.x, sample.point.y)
-        }
-    }
-
-    fn make(formulas: [fn(f64, f64) -> f64; 3], to: DVec2, from: DVec2, container: Container) -> Parametric {
-        let functions = formulas.map(|formula| Arc::new(Formula(formula)) as Arc<dyn Field>);
-        let description = Description { functions, from, to, container, accuracy: 1e-4, max_gradient: 2.0 };
-        Parametric::new(description).unwrap()
-    }
-
-    fn ball() -> Parametric {
-        make(
-            [|u, v| u.sin() * v.cos(), |u, v| u.sin() * v.sin(), |u, _| u.cos()],
-            DVec2::new(TAU, PI),
-            DVec2::ZERO,
-            Container::Sphere(Sphere { center: DVec3::ZERO, radius: 1.1 }),
-        )
-    }
-
-    fn saddle() -> Parametric {
-        let half = DVec3::splat(1.1);
-        let container = Container::Box(Cuboid { min: -half, max: half });
-        make([|u, _| u, |_, v| v, |u, v| u * v], DVec2::ONE, DVec2::NEG_ONE, container)
-    }
-
-    battery! {
-        round: || ball(), surface;
-        saddled: || saddle(), surface;
-    }
-
-    /// POV-Ray's points are short of the surface by up to the accuracy.
-    #[test]
-    fn surfaces_are_found_where_povray_finds_them() {
-        let near =
-            |shape: &Parametric, from: [f64; 3], direction: [f64; 3], point: [f64; 3], normal: [f64; 3]| {
-                let hit = Probe::new(from.into(), direction.into()).hit(shape).unwrap();
-                assert!(hit.point.abs_diff_eq(point.into(), 3e-4), "{}", hit.point);
-                assert!(hit.normal.abs_diff_eq(normal.into(), 1e-3), "{}", hit.normal);
-            };
-        let ahead = [0.0, 0.0, 1.0];
-        near(
-            &ball(),
-            [0.1, 0.2, -5.0],
-            ahead,
-            [0.1, 0.2, -0.974868664083149],
-            [0.100020842249008, 0.200019702881127, -0.974673252723775],
-        );
-        near(
-            &saddle(),
-            [0.3, 0.4, -5.0],
-            [0.01, 0.02, 1.0],
-            [0.351771216800005, 0.503542433600009, 0.177121680000457],
-            [-0.429067144587172, -0.299744366034327, 0.852088434651293],
-        );
-    }
-
-    #[test]
-    fn rays_meet_both_sides_exactly() {
-        let ray = Ray::new(DVec3::new(0.1, 0.2, -5.0), DVec3::Z);
-        let mut all = Vec::new();
-        ball().crossings(&ray, Range::AHEAD, &mut all);
-        let half = (1.0_f64 - 0.05).sqrt();
-        let distances: Vec<_> = all.iter().map(|crossing| crossing.t - 5.0).collect();
-        assert_eq!(distances.len(), 2, "{distances:?}");
-        assert!((distances[0] + half).abs() < 1e-13 && (distances[1] - half).abs() < 1e-13, "{distances:?}");
-    }
-
-    #[test]
-    fn what_is_outside_the_container_is_not_there() {
-        let half = DVec3::new(1.1, 1.1, 0.5);
-        let container = Container::Box(Cuboid { min: -half, max: half });
-        let cut = Parametric::new(Description { container, ..saddle().description }).unwrap();
-        let at = |x: f64, y: f64| cut.nearest(&Ray::new(DVec3::new(x, y, -5.0), DVec3::Z), Range::AHEAD);
-        assert!(at(0.9, 0.9).is_none());
-        assert_eq!(at(0.5, 0.5).map(|crossing| crossing.at), Some([0.5, 0.5]));
-        let nothing = Parametric::new(Description { to: cut.description.from, ..cut.description });
-        assert!(nothing.is_none());
-    }
-}
+mod tests;

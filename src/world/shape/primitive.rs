@@ -12,7 +12,7 @@ use super::sphere::Sphere;
 use super::stretch::Stretch;
 use super::torus::Torus;
 use super::triangle::Triangle;
-use super::{Crossing, Shape};
+use super::{Crossing, Remark, Shape};
 use crate::math::{Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
@@ -143,6 +143,10 @@ impl Shape for Primitive {
 
     fn lag(&self, crossing: &Crossing) -> f64 {
         each!(self, shape => shape.lag(crossing))
+    }
+
+    fn remark(&self) -> Option<Remark> {
+        each!(self, shape => shape.remark())
     }
 
     fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

@@ -2,15 +2,15 @@
 
 use std::f64::consts::SQRT_2;
 
-use super::{Formula, PARAMETERS, cl};
+use super::{Formula, Number, PARAMETERS, cl};
 
 /// Parameters besides the point, and the formula. A, B, C of the specification are a, b, c: the squares
 /// of x, y, z.
-pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
+pub(super) fn find<N: Number>(number: u8) -> Option<(usize, Formula<N>)> {
     Some(match number {
         4 => (2, |x, y, z, p| {
             let (a, b, c, s) = (x * x, y * y, z * z, p[1] * p[1]);
-            let t = a + c + 2.0 * p[1] * y - s;
+            let t = a + c + p[1] * 2.0 * y - s;
             cl(p[0] * (b * (s - a - c) - t * t))
         }),
         5 => (2, |x, y, z, p| {
@@ -25,46 +25,46 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
             let (a, b, c) = (x * x, y * y, z * z);
             let s = a - z;
             cl(p[0]
-                * (a * c - c * c - 2.0 * a * z + 2.0 * c * z + a - c - s * s - b * b - 2.0 * a * b - b * c
-                    + 2.0 * b * z
+                * (a * c - c * c - a * 2.0 * z + c * 2.0 * z + a - c - s * s - b * b - a * 2.0 * b - b * c
+                    + b * 2.0 * z
                     + b))
         }),
         14 => (1, |x, y, z, p| {
             let (a, b, c) = (x * x, y * y, z * z);
-            cl(-p[0] * (a * a + 2.0 * a * c - 0.36 * a - b * b + 0.25 * b + c * c))
+            cl(-p[0] * (a * a + a * 2.0 * c - a * 0.36 - b * b + b * 0.25 + c * c))
         }),
         16 => (6, dupin),
         18 => (1, |x, y, z, p| {
-            let below = if z.abs() < 0.2 { 0.2 } else { z };
+            let below = (z.abs() - 0.2).choose(N::constant(0.2), z);
             let d = y * y - x * x;
             // The last term takes the square of z as it came.
-            let a = d / (2.0 * below) + 2.0 * z * z / 9.0;
-            let b = d / (4.0 * below);
-            cl(-p[0] * (a * a * a - 6.0 * b * b))
+            let a = d / (below * 2.0) + z * 2.0 * z / 9.0;
+            let b = d / (below * 4.0);
+            cl(-p[0] * (a * a * a - b * 6.0 * b))
         }),
         20 => (3, |x, y, z, p| {
-            cl(p[0] * ((y * y + z * z) * (1.0 + (p[2] - 4.0 * p[1]) * x) + x * x * (1.0 + p[2])))
+            cl(p[0] * ((y * y + z * z) * ((p[2] - p[1] * 4.0) * x + 1.0) + x * x * (p[2] + 1.0)))
         }),
-        22 => (1, |x, y, z, p| cl(p[0] * (0.5 * x.powi(5) + 0.5 * x.powi(4) - y * y - z * z))),
+        22 => (1, |x, y, z, p| cl(p[0] * (x.powi(5) * 0.5 + x.powi(4) * 0.5 - y * y - z * z))),
         23 => (1, |x, y, z, p| {
             let (a, b, c) = (x * x, y * y, z * z);
-            let s = 2.0 * a + b + c - 1.0;
-            cl(-p[0] * (s.powi(3) - 0.1 * a * z.powi(3) - b * z.powi(3)))
+            let s = a * 2.0 + b + c - 1.0;
+            cl(-p[0] * (s.powi(3) - a * 0.1 * z.powi(3) - b * z.powi(3)))
         }),
         30 => (1, |x, y, z, p| {
             let (a, b, c) = (x * x, y * y, z * z);
-            let (s, t) = (a + b + c - 13.0, 3.0 * a + b - 4.0 * c - 12.0);
-            cl(-p[0] * (4.0 * s.powi(3) + 27.0 * t * t))
+            let (s, t) = (a + b + c - 13.0, a * 3.0 + b - c * 4.0 - 12.0);
+            cl(-p[0] * (s.powi(3) * 4.0 + t * 27.0 * t))
         }),
         31 => (3, |x, y, z, p| {
             let (a, b, c) = (x * x, y * y, z * z);
             let (big, small) = (p[1] * p[1], p[2] * p[2]);
             let (sum, d) = (big + small, big - small);
             cl(-p[0]
-                * (a * a + 2.0 * a * b - 2.0 * a * c - 2.0 * sum * a + b * b - 2.0 * b * c
-                    + 2.0 * d * b
+                * (a * a + a * 2.0 * b - a * 2.0 * c - sum * 2.0 * a + b * b - b * 2.0 * c
+                    + d * 2.0 * b
                     + c * c
-                    + 2.0 * sum * c
+                    + sum * 2.0 * c
                     + d * d))
         }),
         33 => (3, |x, y, z, p| {
@@ -74,8 +74,8 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
         35 => (1, |x, y, z, p| {
             let c = z * z;
             let s = x * x + y * y + c - 1.0;
-            let t = s - 2.0 * y;
-            cl(-p[0] * ((s + 2.0 * y) * (t * t - 8.0 * c) + 16.0 * x * z * t))
+            let t = s - y * 2.0;
+            cl(-p[0] * ((s + y * 2.0) * (t * t - c * 8.0) + x * 16.0 * z * t))
         }),
         36 => (1, |x, y, z, p| {
             let (a, b, c) = (x * x, y * y, z * z);
@@ -98,9 +98,9 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
         }),
         41 => (1, |x, y, z, p| {
             let (a, b, c) = (x * x, y * y, z * z);
-            cl(-p[0] * (4.0 * a * (a + b + c) - b * (1.0 - b - c)))
+            cl(-p[0] * (a * 4.0 * (a + b + c) - b * (-b + 1.0 - c)))
         }),
-        42 => (1, |_, y, z, p| cl(-p[0] * (y.powi(3) + z.powi(3) - 6.0 * y * z))),
+        42 => (1, |_, y, z, p| cl(-p[0] * (y.powi(3) + z.powi(3) - y * 6.0 * z))),
         44 => (4, |x, y, z, p| {
             let (a, c) = (x * x, z * z);
             let q = p[1] * p[1];
@@ -113,7 +113,7 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
             let (big, small) = (p[1] * p[1], p[2] * p[2]);
             let (sum, d) = (big + small, big - small);
             cl(-p[0]
-                * (a * a + 2.0 * a * b - 2.0 * a * z - sum * a + b * b - 2.0 * b * z
+                * (a * a + a * 2.0 * b - a * 2.0 * z - sum * a + b * b - b * 2.0 * z
                     + d * b
                     + c
                     + sum * z
@@ -142,11 +142,11 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
             let (a, b, c) = (x * x, y * y, z * z);
             let (big, small) = (p[1] * p[1], p[2] * p[2]);
             let (sum, d, s) = (big + small, big - small, a + b + c);
-            cl(-p[0] * (s * s - 2.0 * sum * a + 2.0 * d * b - 2.0 * sum * c + d * d))
+            cl(-p[0] * (s * s - sum * 2.0 * a + d * 2.0 * b - sum * 2.0 * c + d * d))
         }),
         72 => (1, |x, y, z, p| {
             let (a, s) = (x * x, y * y + z * z);
-            cl(-p[0] * (4.0 * (a * a + s * s) + 17.0 * a * s - 20.0 * (a + s) + 17.0))
+            cl(-p[0] * ((a * a + s * s) * 4.0 + a * 17.0 * s - (a + s) * 20.0 + 17.0))
         }),
         73 => (1, |x, y, z, p| cl(-p[0] * (x * x - y * z * z))),
         74 => (2, |x, y, z, p| cl(-p[0] * (p[1] * (y - 1.0) + (x * x + z * z) * y))),
@@ -154,21 +154,20 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
     })
 }
 
-fn boy(x: f64, y: f64, z: f64, p: &[f64; PARAMETERS]) -> f64 {
+fn boy<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     let (a, b, c) = (x * x, y * y, z * z);
-    let (w, h) = (1.0 - z, a + b);
+    let (w, h) = (-z + 1.0, a + b);
     cl(p[0]
         * p[1]
-        * (64.0 * w.powi(3) * z.powi(3) - 48.0 * w * w * c * (3.0 * a + 3.0 * b + 2.0 * c)
-            + 12.0
-                * w
+        * (w.powi(3) * 64.0 * z.powi(3) - w * 48.0 * w * c * (a * 3.0 + b * 3.0 + c * 2.0)
+            + w * 12.0
                 * z
-                * (27.0 * h * h - 24.0 * c * h + 36.0 * SQRT_2 * y * z * (b - 3.0 * a) + 4.0 * c * c)
-            + (9.0 * a + 9.0 * b - 2.0 * c)
-                * (-81.0 * h * h - 72.0 * c * h + 108.0 * SQRT_2 * x * z * (a - 3.0 * b) + 4.0 * c * c)))
+                * (h * 27.0 * h - c * 24.0 * h + y * (36.0 * SQRT_2) * z * (b - a * 3.0) + c * 4.0 * c)
+            + (a * 9.0 + b * 9.0 - c * 2.0)
+                * (-h * 81.0 * h - c * 72.0 * h + x * (108.0 * SQRT_2) * z * (a - b * 3.0) + c * 4.0 * c)))
 }
 
-fn dupin(x: f64, y: f64, z: f64, p: &[f64; PARAMETERS]) -> f64 {
+fn dupin<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     let [p0, p1, p2, p3, p4, p5, ..] = *p;
     let b = y * y;
     let s = x * x + b + z * z;
@@ -177,8 +176,8 @@ fn dupin(x: f64, y: f64, z: f64, p: &[f64; PARAMETERS]) -> f64 {
     let along = p3 * x + p4 * y;
     cl(-p0
         * (q * s * s
-            + 2.0 * r * ((p1 * p1 - p3 * p3 + m - t) * (2.0 * along - r) - 4.0 * p4 * m * y) * s
-            + 4.0 * r * r * along * (along - r)
-            + 4.0 * r * r * p1 * p1 * b
+            + r * 2.0 * ((p1 * p1 - p3 * p3 + m - t) * (along * 2.0 - r) - p4 * 4.0 * m * y) * s
+            + r * 4.0 * r * along * (along - r)
+            + r * 4.0 * r * p1 * p1 * b
             + r.powi(4)))
 }

@@ -1,9 +1,9 @@
 //! Internal functions of a plane that may be swept around an axis (docs/spec/language.md 4.5, "R").
 
-use super::{Formula, cl, cl_to};
+use super::{Formula, Number, Unary, cl, cl_to};
 
 /// Parameters besides the point, and the formula.
-pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
+pub(super) fn find<N: Number>(number: u8) -> Option<(usize, Formula<N>)> {
     Some(match number {
         0 => (5, |x, y, z, p| {
             let (x, y) = swept(x, y, z, &p[2..]);
@@ -12,17 +12,17 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
         1 => (5, |x, y, z, p| {
             let (x, y) = swept(x, y, z, &p[2..]);
             let (a, b) = (x * x, y * y);
-            cl_to(-p[0] * (2.0 * a * a - 3.0 * a * y + b - 2.0 * b * y + b * b), p[1])
+            cl_to(-p[0] * (a * 2.0 * a - a * 3.0 * y + b - b * 2.0 * y + b * b), p[1])
         }),
         2 => (5, |x, y, z, p| {
             let (x, y) = swept(x, y, z, &p[2..]);
             let (a, b) = (x * x, y * y);
-            cl_to(-p[0] * (a * a + a * b - 2.0 * a * y - x * b + b), p[1])
+            cl_to(-p[0] * (a * a + a * b - a * 2.0 * y - x * b + b), p[1])
         }),
         3 => (5, |x, y, z, p| {
             let (x, y) = swept(x, y, z, &p[2..]);
             let (a, b) = (x * x, y * y);
-            cl_to(-p[0] * (a * a + b * b + 2.0 * a * b + 3.0 * a * y - b * y), p[1])
+            cl_to(-p[0] * (a * a + b * b + a * 2.0 * b + a * 3.0 * y - b * y), p[1])
         }),
         15 => (6, |x, y, z, p| {
             let (x, y) = swept(x, y, z, &p[3..]);
@@ -31,7 +31,7 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
         }),
         21 => (6, |x, y, z, p| {
             let (x, y) = swept(x, y, z, &p[3..]);
-            cl(-p[0] * (y * y * (1.0 + (p[2] - 4.0 * p[1]) * x) + x * x * (1.0 + p[2])))
+            cl(-p[0] * (y * y * ((p[2] - p[1] * 4.0) * x + 1.0) + x * x * (p[2] + 1.0)))
         }),
         34 => (6, |x, y, z, p| {
             let (x, y) = swept(x, y, z, &p[3..]);
@@ -63,12 +63,18 @@ pub(super) fn find(number: u8) -> Option<(usize, Formula)> {
 
 /// Where in the plane a point of space is. The parameters are: whether to sweep at all, the distance of
 /// the plane's origin from the axis, and the angle in degrees by which the plane is turned.
-fn swept(x: f64, y: f64, z: f64, parameters: &[f64]) -> (f64, f64) {
+fn swept<N: Number>(x: N, y: N, z: N, parameters: &[N]) -> (N, N) {
     let &[sweep, distance, angle, ..] = parameters else { return (x, y) };
-    if sweep <= 0.0 {
-        return (x, y);
+    match sweep.fixed() {
+        Some(sweep) if sweep <= 0.0 => return (x, y),
+        None => return (N::unknown(), N::unknown()),
+        _ => {}
     }
     let out = (x * x + z * z).sqrt() - distance;
-    let (sin, cos) = angle.to_radians().sin_cos();
-    if angle == 0.0 { (out, y) } else { (out * cos - y * sin, out * sin + y * cos) }
+    if angle.fixed() == Some(0.0) {
+        return (out, y);
+    }
+    let angle = angle.unary(Unary::Radians);
+    let (sin, cos) = (angle.sin(), angle.cos());
+    (out * cos - y * sin, out * sin + y * cos)
 }

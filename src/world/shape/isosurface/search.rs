@@ -1,0 +1,254 @@
+//! The first crossing of a ray with the surface of a function.
+//!
+//! What is known of the function over a stretch of the ray is a [`Band`] around a straight line. It rules the
+//! stretch out, or leaves the part of it where line and zero are within the band's reach of each other; that
+//! part is looked at again, in four stretches at once. The reach falls with the square of the length, so this
+//! ends soon, and no crossing is passed over: neither by a step that is too long nor by a gradient that
+//! somebody guessed too low. Functions of which nothing is known are searched with the gradient.
+
+use std::cell::Cell;
+
+use smallvec::SmallVec;
+
+use super::Isosurface;
+use crate::math::roots::between;
+use crate::math::wide::widest;
+use crate::math::{Band, DVec3, Lanes};
+
+/// A search along one ray, in which distances are lengths.
+pub(super) struct Search<'a> {
+    pub(super) surface: &'a Isosurface,
+    pub(super) origin: DVec3,
+    /// Unit.
+    pub(super) direction: DVec3,
+    /// As steep as the function is taken to be where nothing is known of it.
+    pub(super) gradient: f64,
+    /// The steepest it was found to be.
+    pub(super) steepest: &'a Cell<f64>,
+    /// The length of a stretch that is not divided any more.
+    pub(super) accuracy: f64,
+}
+
+/// A part of the ray in which there may be a crossing.
+#[derive(Clone, Copy)]
+struct Zone {
+    from: f64,
+    to: f64,
+    /// Whether the function is below zero at its end, for sure.
+    certain: bool,
+    /// Whether nothing at all is known of the function in it.
+    unknown: bool,
+}
+
+/// Where the bands leave it open whether the ray crosses the surface twice or passes it by, stretches of this
+/// share of the accuracy decide.
+const FINEST: f64 = 1.0 / 1024.0;
+
+/// So many times four stretches are looked at before the accuracy itself is fine enough.
+const PATIENCE: u32 = 64;
+
+/// The share of the ray that is looked at before it is believed that nothing is known of the function.
+const COARSE: f64 = 1.0 / 60.0;
+
+/// By how much a gradient that was met is exceeded by the one that is believed from then on, where `evaluate`
+/// doesn't say it.
+const STEEPER: f64 = 1.1;
+
+/// Steps of the secant method before the search for the last digits is given up.
+const STEPS: usize = 6;
+
+impl Search<'_> {
+    pub(super) fn value(&self, t: f64) -> f64 {
+        self.surface.value(self.origin + t * self.direction)
+    }
+
+    /// The first place behind `from` at which the value times `sign` becomes negative, up to `to`;
+    /// with the end of the stretch that POV-Ray finds it in.
+    pub(super) fn first(&mut self, from: f64, to: f64, sign: f64) -> Option<(f64, f64)> {
+        let root = if self.surface.function.is_known() {
+            widest(
+                #[inline(always)]
+                || self.first_known(from, to, sign),
+            )
+        } else {
+            self.first_by_gradient(from, to, sign)
+        }?;
+        Some((root, self.cell_end(from, to, root)))
+    }
+
+    /// Where the stretch ends that holds `root` when the ray is halved until the halves are short enough.
+    fn cell_end(&self, from: f64, to: f64, root: f64) -> f64 {
+        let halvings = ((to - from) / self.accuracy).log2().floor() + 1.0;
+        let cell = (to - from) / halvings.max(0.0).exp2();
+        (from + (((root - from) / cell).floor() + 1.0) * cell).clamp(root, to)
+    }
+
+    #[inline(always)]
+    fn first_known(&mut self, from: f64, to: f64, sign: f64) -> Option<f64> {
+        let mut waiting: SmallVec<[Zone; 32]> = SmallVec::new();
+        let coarse = (to - from) * COARSE;
+        let mut looks = 0;
+        waiting.push(Zone { from, to, certain: false, unknown: false });
+        while let Some(zone) = waiting.pop() {
+            let length = zone.to - zone.from;
+            if zone.unknown && length <= coarse {
+                match self.first_by_gradient(zone.from, zone.to, sign) {
+                    Some(root) => return Some(root),
+                    None => continue,
+                }
+            }
+            let fine = if zone.certain || looks > PATIENCE { self.accuracy } else { self.accuracy * FINEST };
+            let middle = zone.from + 0.5 * length;
+            if length <= fine || middle <= zone.from || middle >= zone.to {
+                match self.settle(zone, sign) {
+                    Some(root) => return Some(root),
+                    None => continue,
+                }
+            }
+            looks += 1;
+            if self.divide(zone, sign, &mut waiting) {
+                return Some(zone.from);
+            }
+        }
+        None
+    }
+
+    /// Looks at the quarters of a zone and puts what is left of them on top of `waiting`, the first last.
+    /// Whether the function is below zero from the zone's start on.
+    #[inline(always)]
+    fn divide(&self, zone: Zone, sign: f64, waiting: &mut SmallVec<[Zone; 32]>) -> bool {
+        let half = 0.125 * (zone.to - zone.from);
+        let middles = Lanes([1.0, 3.0, 5.0, 7.0]) * half + zone.from;
+        let along = |origin: f64, direction: f64| {
+            Band::line(middles * direction + origin, Lanes::splat(half * direction))
+        };
+        let (o, d) = (self.origin, self.direction);
+        let band = self.surface.function.enclose(&[along(o.x, d.x), along(o.y, d.y), along(o.z, d.z)]);
+        let band = (band - Band::constant(self.surface.threshold)) * sign;
+        let (low, high) = (band.low().0, band.high().0);
+        let below = waiting.len();
+        for i in 0..Lanes::COUNT {
+            if low[i] > 0.0 {
+                continue;
+            }
+            let middle = middles.0[i];
+            let (from, to) = (middle - half, middle + half);
+            if high[i] < 0.0 {
+                if waiting.len() == below && i == 0 {
+                    return true;
+                }
+                // From here on it is below zero; what led here is at the last stretch's end.
+                waiting.push(Zone { from, to: from, certain: true, unknown: false });
+                break;
+            }
+            let (c, k, e) = (band.middle.0[i], band.slope.0[i], band.reach.0[i]);
+            if !e.is_finite() {
+                waiting.push(Zone { from, to, certain: false, unknown: true });
+                continue;
+            }
+            // The mean value theorem: somewhere it is as steep as a straight line between both ends.
+            self.meet_gradient((k.abs() - e) / half);
+            // Where the line is no farther from zero than the reach, with room for rounding.
+            let (near, far) = (from, to);
+            let reach = e * (1.0 + 1e-9) + 1e-12 * (c.abs() + k.abs());
+            let [a, b] = [(c - reach) / k.abs(), (c + reach) / k.abs()].map(|s| s.clamp(-1.0, 1.0));
+            let zone = if k < 0.0 {
+                let certain = c + reach < k.abs();
+                Zone {
+                    from: (middle + half * a).max(near),
+                    to: (middle + half * b).min(far),
+                    certain,
+                    unknown: false,
+                }
+            } else if k > 0.0 {
+                Zone { from, to: (middle - half * a).clamp(near, far), certain: false, unknown: false }
+            } else {
+                Zone { from, to, certain: false, unknown: false }
+            };
+            waiting.push(zone);
+            if zone.certain {
+                break;
+            }
+        }
+        let found = &mut waiting[below..];
+        found.reverse();
+        if found.first().is_some_and(|zone| zone.certain) {
+            // What comes later isn't first.
+            waiting.drain(..below);
+        }
+        false
+    }
+
+    fn meet_gradient(&self, gradient: f64) {
+        if gradient > self.steepest.get() {
+            self.steepest.set(gradient);
+        }
+    }
+
+    /// The crossing in a zone that isn't divided any more.
+    fn settle(&self, zone: Zone, sign: f64) -> Option<f64> {
+        let at = |t: f64| sign * self.value(t);
+        let high = (zone.to, at(zone.to));
+        if !(high.1 < 0.0) {
+            return zone.certain.then_some(zone.to);
+        }
+        let low = (zone.from, at(zone.from));
+        if !(low.1 > 0.0) {
+            return Some(zone.from);
+        }
+        Some(polished(low, high, at))
+    }
+
+    /// The same for functions of which nothing is known: what no gradient bridges is passed over.
+    fn first_by_gradient(&mut self, from: f64, to: f64, sign: f64) -> Option<f64> {
+        let at = |search: &Self, t: f64| (t, sign * search.value(t));
+        let mut low = at(self, from);
+        let mut rest: SmallVec<[(f64, f64); 32]> = SmallVec::new();
+        rest.push(at(self, to));
+        while let Some(high) = rest.last().copied() {
+            let length = high.0 - low.0;
+            let slope = (high.1 - low.1).abs() / length;
+            self.meet_gradient(slope);
+            let share = self.surface.adaptive.unwrap_or(STEEPER);
+            if slope * share > self.gradient {
+                self.gradient = slope * share * share;
+            }
+            let middle = low.0 + 0.5 * length;
+            if length < self.accuracy || middle <= low.0 || middle >= high.0 {
+                if high.1 < 0.0 {
+                    return Some(if low.1 > 0.0 {
+                        polished(low, high, |t| sign * self.value(t))
+                    } else {
+                        low.0
+                    });
+                }
+            } else if low.1 + high.1 - self.gradient * length < 0.0 {
+                rest.push(at(self, middle));
+                continue;
+            }
+            low = high;
+            rest.pop();
+        }
+        None
+    }
+}
+
+/// The root between two places with values of either sign, to the last digits.
+///
+/// Over a short stretch a function is nearly straight, and a few steps of the secant method do.
+fn polished(low: (f64, f64), high: (f64, f64), value: impl Fn(f64) -> f64) -> f64 {
+    let (mut a, mut b) = (low, high);
+    let line = |a: (f64, f64), b: (f64, f64)| a.0 + (b.0 - a.0) * (a.1 / (a.1 - b.1));
+    for _ in 0..STEPS {
+        let t = line(a, b);
+        if !(low.0 <= t && t <= high.0) {
+            break;
+        }
+        let last = b.0;
+        (a, b) = (b, (t, value(t)));
+        if b.1 == 0.0 || (t - last).abs() <= 2.0 * f64::EPSILON * t.abs() {
+            return t;
+        }
+    }
+    between(low, high, value)
+}
