@@ -38,6 +38,14 @@ struct Zone {
     certain: bool,
     /// Whether nothing at all is known of the function in it.
     unknown: bool,
+    /// About how steep it is.
+    slope: f64,
+}
+
+impl Zone {
+    fn new(from: f64, to: f64) -> Self {
+        Self { from, to, certain: false, unknown: false, slope: 0.0 }
+    }
 }
 
 /// Where the bands leave it open whether the ray crosses the surface twice or passes it by, stretches of this
@@ -88,7 +96,7 @@ impl Search<'_> {
         let mut waiting: SmallVec<[Zone; 32]> = SmallVec::new();
         let coarse = (to - from) * COARSE;
         let mut looks = 0;
-        waiting.push(Zone { from, to, certain: false, unknown: false });
+        waiting.push(Zone::new(from, to));
         while let Some(zone) = waiting.pop() {
             let length = zone.to - zone.from;
             if zone.unknown && length <= coarse {
@@ -138,32 +146,26 @@ impl Search<'_> {
                     return true;
                 }
                 // From here on it is below zero; what led here is at the last stretch's end.
-                waiting.push(Zone { from, to: from, certain: true, unknown: false });
+                waiting.push(Zone { certain: true, ..Zone::new(from, from) });
                 break;
             }
             let (c, k, e) = (band.middle.0[i], band.slope.0[i], band.reach.0[i]);
             if !e.is_finite() {
-                waiting.push(Zone { from, to, certain: false, unknown: true });
+                waiting.push(Zone { unknown: true, ..Zone::new(from, to) });
                 continue;
             }
             // The mean value theorem: somewhere it is as steep as a straight line between both ends.
             self.meet_gradient((k.abs() - e) / half);
             // Where the line is no farther from zero than the reach, with room for rounding.
-            let (near, far) = (from, to);
             let reach = e * (1.0 + 1e-9) + 1e-12 * (c.abs() + k.abs());
             let [a, b] = [(c - reach) / k.abs(), (c + reach) / k.abs()].map(|s| s.clamp(-1.0, 1.0));
             let zone = if k < 0.0 {
-                let certain = c + reach < k.abs();
-                Zone {
-                    from: (middle + half * a).max(near),
-                    to: (middle + half * b).min(far),
-                    certain,
-                    unknown: false,
-                }
+                let (from, to) = ((middle + half * a).max(from), (middle + half * b).min(to));
+                Zone { certain: c + reach < k.abs(), slope: k / half, ..Zone::new(from, to) }
             } else if k > 0.0 {
-                Zone { from, to: (middle - half * a).clamp(near, far), certain: false, unknown: false }
+                Zone::new(from, (middle - half * a).clamp(from, to))
             } else {
-                Zone { from, to, certain: false, unknown: false }
+                Zone::new(from, to)
             };
             waiting.push(zone);
             if zone.certain {
@@ -188,6 +190,11 @@ impl Search<'_> {
     /// The crossing in a zone that isn't divided any more.
     fn settle(&self, zone: Zone, sign: f64) -> Option<f64> {
         let at = |t: f64| sign * self.value(t);
+        if zone.certain
+            && let Some(root) = zone.straight_to_root(at)
+        {
+            return Some(root);
+        }
         let high = (zone.to, at(zone.to));
         if !(high.1 < 0.0) {
             return zone.certain.then_some(zone.to);
@@ -228,6 +235,29 @@ impl Search<'_> {
             }
             low = high;
             rest.pop();
+        }
+        None
+    }
+}
+
+impl Zone {
+    /// Where the function crosses zero in a zone at whose end it is below, if steps with the slope known and
+    /// then by the secant method stay in the zone.
+    fn straight_to_root(self, value: impl Fn(f64) -> f64) -> Option<f64> {
+        let mut t = 0.5 * (self.from + self.to);
+        let mut slope = self.slope;
+        let mut here = value(t);
+        for _ in 0..STEPS {
+            let next = t - here / slope;
+            if !(self.from <= next && next <= self.to) {
+                return None;
+            }
+            if here == 0.0 || (next - t).abs() <= f64::EPSILON * t.abs() {
+                return Some(next);
+            }
+            let there = value(next);
+            slope = (there - here) / (next - t);
+            (t, here) = (next, there);
         }
         None
     }
