@@ -317,6 +317,7 @@ impl Mul for Band {
 
 impl Div for Band {
     type Output = Self;
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "the product of one with the other's inverse")]
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         self * other.inverse()

@@ -182,7 +182,7 @@ impl Band {
             1 => self,
             _ => {
                 let square = self.powi(exponent / 2).square();
-                if exponent % 2 == 0 { square } else { square * self }
+                if exponent.is_multiple_of(2) { square } else { square * self }
             }
         }
     }
@@ -313,7 +313,7 @@ mod tests {
         kinks(|b| b.max(-b * 0.3), |v| v.max(-v * 0.3));
         kinks(|b| b.min(b * b), |v| v.min(v * v));
         kinks(Band::floor, f64::floor);
-        kinks(|b| b.rem(Band::constant(0.7)), |v| v % 0.7);
+        kinks(|b| b.remainder(Band::constant(0.7)), |v| v % 0.7);
         kinks(|b| b.less(Band::constant(0.3)), |v| f64::from(v < 0.3));
         kinks(|b| b.less_equal(b * b), |v| f64::from(v <= v * v));
         kinks(|b| b.and(b.floor()), |v| f64::from(v != 0.0 && v.floor() != 0.0));

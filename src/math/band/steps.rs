@@ -38,7 +38,7 @@ impl Band {
     }
 
     /// What is left over a multiple of `divisor`, with the sign of `self`.
-    pub fn rem(self, divisor: Self) -> Self {
+    pub fn remainder(self, divisor: Self) -> Self {
         let Some(divisor) = divisor.fixed().map(f64::abs).filter(|d| *d > 0.0) else {
             return Self::UNKNOWN;
         };
@@ -101,7 +101,7 @@ impl Band {
     }
 
     /// 1 where it is 0, else 0.
-    pub fn not(self) -> Self {
+    pub fn is_false(self) -> Self {
         self.lanewise(|s| Strip::truth(s.is_true().map(|is| !is)))
     }
 }

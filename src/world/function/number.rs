@@ -394,7 +394,7 @@ impl Number for Band {
     }
 
     fn rem(self, divisor: Self) -> Self {
-        Self::rem(self, divisor)
+        self.remainder(divisor)
     }
 
     fn atan2(self, x: Self) -> Self {
@@ -418,7 +418,7 @@ impl Number for Band {
     }
 
     fn not(self) -> Self {
-        Self::not(self)
+        self.is_false()
     }
 
     #[inline(always)]

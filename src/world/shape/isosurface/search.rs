@@ -196,11 +196,12 @@ impl Search<'_> {
             return Some(root);
         }
         let high = (zone.to, at(zone.to));
-        if !(high.1 < 0.0) {
+        // What is no number is not below zero either.
+        if high.1 >= 0.0 || high.1.is_nan() {
             return zone.certain.then_some(zone.to);
         }
         let low = (zone.from, at(zone.from));
-        if !(low.1 > 0.0) {
+        if low.1 <= 0.0 || low.1.is_nan() {
             return Some(zone.from);
         }
         Some(polished(low, high, at))
