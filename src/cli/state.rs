@@ -63,11 +63,13 @@ pub(super) fn path_beside(picture: &Path) -> PathBuf {
 ///
 /// Threads and the ways to find objects never change it, so that a rendering can be continued with others.
 pub(super) fn fingerprint(sources: &Sources, language: &LanguageOptions, render: &RenderOptions) -> u64 {
-    let RenderOptions { width, height, region, block_size, antialias, quality, output_alpha, .. } = render;
+    let RenderOptions {
+        width, height, region, block_size, antialias, sampling, quality, output_alpha, ..
+    } = render;
     let RenderOptions { remove_bounds, split_unions, high_reproducibility, .. } = render;
     let LanguageOptions { declares, version, clock, .. } = language;
     let mut hasher = DefaultHasher::new();
-    let look = (width, height, region, block_size, antialias, quality, output_alpha);
+    let look = (width, height, region, block_size, antialias, sampling, quality, output_alpha);
     let rest = (remove_bounds, split_unions, high_reproducibility, declares, version, clock);
     format!("{look:?} {rest:?}").hash(&mut hasher);
     for source in sources.all() {

@@ -8,4 +8,4 @@ mod language;
 mod render;
 
 pub use language::{Clock, Declared, Frames, LanguageOptions};
-pub use render::{Accelerator, Antialias, AntialiasMethod, Region, RenderOptions};
+pub use render::{Accelerator, Antialias, AntialiasMethod, Filter, Region, RenderOptions, Sampling};

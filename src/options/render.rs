@@ -17,6 +17,8 @@ pub struct RenderOptions {
     pub block_size: u32,
     /// Antialiasing; none means one sample in the middle of each pixel.
     pub antialias: Option<Antialias>,
+    /// povista's own ways to sample, instead of POV-Ray's.
+    pub sampling: Option<Sampling>,
     /// What shading leaves out to save time: 0 (flat colors) to 9 (everything).
     pub quality: u8,
     /// Whether the picture is stored with alpha, which changes what a background counts for.
@@ -68,6 +70,52 @@ pub enum AntialiasMethod {
     Adaptive,
 }
 
+/// povista's own ways to sample a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sampling {
+    /// The middle of each pixel and its corners, which neighbours share.
+    Corners,
+    /// One sample for each square of so many pixels: a first look.
+    Every(u32),
+    /// As many samples for each pixel, spread evenly.
+    Even {
+        /// At least 1.
+        samples: u32,
+        /// What a pixel gathers.
+        filter: Filter,
+    },
+    /// Samples where the estimated error is larger than some.
+    Adaptive {
+        /// Error of a pixel as it is seen, in steps of 255, at which sampling stops.
+        error: f32,
+        /// Samples of a pixel at most.
+        most: u32,
+        /// What a pixel gathers.
+        filter: Filter,
+    },
+    /// As many samples for each pixel as a time allows, one at least.
+    Budget {
+        /// Seconds by the clock.
+        seconds: f32,
+        /// What a pixel gathers.
+        filter: Filter,
+    },
+}
+
+/// How much a sample counts for the pixels around it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Filter {
+    /// Only for the pixel it lies in, as POV-Ray has it.
+    #[default]
+    Box,
+    /// Less and less up to one pixel away.
+    Triangle,
+    /// A bell with a deviation of half a pixel, cut 1.5 pixels away.
+    Gaussian,
+    /// Mitchell and Netravali's, 2 pixels wide, which sharpens edges.
+    Mitchell,
+}
+
 /// The structure that finds the objects near a ray.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Accelerator {
@@ -91,6 +139,7 @@ impl RenderOptions {
             region: Region { columns: 0..width, rows: 0..height },
             block_size: 32,
             antialias: None,
+            sampling: None,
             quality: 9,
             output_alpha: false,
             threads: None,

@@ -1,6 +1,7 @@
 //! From a compiled scene to a picture.
 
 mod air;
+mod budget;
 mod direct;
 mod dispersion;
 pub mod film;
@@ -26,7 +27,7 @@ pub use stats::Statistics;
 
 use crate::math::DVec2;
 use crate::math::tally::Tally;
-use crate::options::{Region, RenderOptions};
+use crate::options::{Region, RenderOptions, Sampling};
 use crate::world::accel::Hull;
 use crate::world::atmosphere::Alpha;
 use crate::world::camera::mesh_camera::Place;
@@ -72,7 +73,10 @@ pub struct Rendered {
 /// Renders a world. The picture doesn't depend on the number of threads.
 pub fn render(world: &World, options: &RenderOptions, progress: &dyn Progress) -> Rendered {
     let eye = Eye::new(world, options);
-    let mut rendered = tiles::render(options, progress, |block| eye.block(block));
+    let mut rendered = match options.sampling {
+        Some(Sampling::Budget { seconds, filter }) => budget::render(&eye, seconds, filter, progress),
+        _ => tiles::render(options, progress, |block| eye.block(block)),
+    };
     rendered.statistics.images = world.needs.images;
     rendered
 }
@@ -99,14 +103,22 @@ impl<'w> Eye<'w> {
     }
 
     fn block(&self, block: &Region) -> (Vec<Sample>, Statistics) {
+        let working = self.world.settings.working_gamma;
+        self.sampled(|sample| sampling::block(block, self.options, working, sample))
+    }
+
+    /// Pixels made of samples at image coordinates, and what they took.
+    fn sampled(
+        &self,
+        pixels: impl FnOnce(&mut dyn FnMut(f64, f64) -> Sample) -> Vec<Sample>,
+    ) -> (Vec<Sample>, Statistics) {
         let quality = Quality::new(self.options.quality);
         let alpha = if self.options.output_alpha { Alpha::Stored } else { Alpha::None };
         let mut tracer = Tracer::new(self.world, quality, alpha);
         // What the thread counted before belongs to other work.
         Tally::take();
         let mut sample = |x: f64, y: f64| self.sample(&mut tracer, x, y);
-        let working = self.world.settings.working_gamma;
-        let pixels = sampling::block(block, self.options.antialias.as_ref(), working, &mut sample);
+        let pixels = pixels(&mut sample);
         tracer.statistics.pixels += pixels.len() as u64;
         tracer.statistics.add(Tally::take());
         (pixels, tracer.statistics)

@@ -96,6 +96,8 @@ pub(super) struct Render {
     pub(super) output: Option<String>,
     #[command(flatten)]
     pub(super) look: Look,
+    #[command(flatten)]
+    pub(super) sampling: Sampling,
     /// Store transparency
     #[arg(long)]
     pub(super) alpha: bool,
@@ -125,9 +127,10 @@ pub(super) struct Look {
     /// Width and height in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     pub(super) size: Option<(u32, u32)>,
-    /// Antialias: refine pixels that differ by this much from their neighbours, 0 to 1 [default: 0.3]
-    #[arg(long, value_name = "THRESHOLD", num_args = 0..=1, default_missing_value = "0.3", value_parser = threshold)]
-    pub(super) aa: Option<f32>,
+    /// Antialias: refine pixels that differ by this much from their neighbours, 0 to 1 [default: 0.3];
+    /// `adaptive` samples each pixel until its error is small, `corners` shares corners with neighbours
+    #[arg(long, value_name = "THRESHOLD", num_args = 0..=1, default_missing_value = "0.3", value_parser = aa)]
+    pub(super) aa: Option<Aa>,
     /// Antialias by POV-Ray's method 1 (neighbours) or 2 (adaptive) [default: 1]
     #[arg(long, value_name = "METHOD", value_parser = clap::value_parser!(u8).range(1..=2))]
     pub(super) aa_method: Option<u8>,
@@ -146,6 +149,63 @@ pub(super) struct Look {
     /// Use so many threads; never changes the picture [default: all the machine has]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(1..))]
     pub(super) threads: Option<u32>,
+}
+
+/// povista's own ways to sample.
+#[derive(Debug, Args)]
+pub(super) struct Sampling {
+    /// Take so many samples for each pixel, spread evenly
+    #[arg(long, value_name = "COUNT", conflicts_with_all = ["aa", "aa_method"])]
+    pub(super) samples: Option<u32>,
+    /// Take as many samples as so many seconds allow
+    #[arg(long, value_name = "SECONDS", conflicts_with_all = ["aa", "aa_method", "samples"])]
+    pub(super) budget: Option<f32>,
+    /// Take one sample for each square of so many pixels: a first look
+    #[arg(long, value_name = "PIXELS", conflicts_with_all = ["aa", "aa_method", "samples", "budget"])]
+    pub(super) every: Option<u32>,
+    /// With `--aa adaptive`: the error of a pixel, in steps of 255, that is small enough
+    #[arg(long, value_name = "STEPS", default_value_t = 2.0)]
+    pub(super) error: f32,
+    /// With `--aa adaptive`: samples of a pixel at most
+    #[arg(long, value_name = "COUNT", default_value_t = 256)]
+    pub(super) most: u32,
+    /// How much samples count for the pixels around them; not for POV-Ray's methods
+    #[arg(long, value_name = "FILTER", default_value = "box")]
+    pub(super) filter: Filter,
+}
+
+/// What `--aa` says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Aa {
+    /// POV-Ray's methods with a threshold.
+    Threshold(f32),
+    /// Samples where the error is.
+    Adaptive,
+    /// The middle and the corners of a pixel.
+    Corners,
+}
+
+impl Aa {
+    /// The threshold of POV-Ray's methods.
+    pub(super) fn threshold(self) -> Option<f32> {
+        match self {
+            Self::Threshold(threshold) => Some(threshold),
+            Self::Adaptive | Self::Corners => None,
+        }
+    }
+}
+
+/// How much samples count for the pixels around them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Filter {
+    /// Only for the pixel they lie in
+    Box,
+    /// Less and less up to one pixel away
+    Triangle,
+    /// A bell half a pixel wide
+    Gaussian,
+    /// Mitchell's, which sharpens edges
+    Mitchell,
 }
 
 /// What to check, and how to tell.
@@ -299,12 +359,6 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         .ok_or_else(|| "a size is WIDTHxHEIGHT, such as 640x480".to_owned())
 }
 
-/// Reads a number from 0 to 1.
-fn threshold(text: &str) -> Result<f32, String> {
-    let number = text.parse().ok().filter(|number| (0.0..=1.0).contains(number));
-    number.ok_or_else(|| "a threshold is a number from 0 to 1".to_owned())
-}
-
 /// Reads `Size=3` or `Name="text"`.
 fn constant(text: &str) -> Result<String, String> {
     let (name, value) = text.split_once('=').unwrap_or((text, ""));
@@ -315,6 +369,19 @@ fn constant(text: &str) -> Result<String, String> {
         return Ok(text.to_owned());
     }
     Err("a constant is NAME=NUMBER or NAME=\"text\"; the quotes belong to it: 'Name=\"text\"'".to_owned())
+}
+
+/// Reads `0.3`, `adaptive` or `corners`.
+fn aa(text: &str) -> Result<Aa, String> {
+    match text {
+        "adaptive" => Ok(Aa::Adaptive),
+        "corners" => Ok(Aa::Corners),
+        _ => {
+            let threshold = text.parse().ok().filter(|number| (0.0..=1.0).contains(number));
+            let help = "antialiasing is a threshold from 0 to 1, `adaptive` or `corners`";
+            threshold.map(Aa::Threshold).ok_or_else(|| help.to_owned())
+        }
+    }
 }
 
 /// Reads `10-20`, `10-` or `-20`.
@@ -344,6 +411,8 @@ mod tests {
         assert!(size("640").is_err());
         assert_eq!(range("10-20"), Ok((Some(10), Some(20))));
         assert_eq!(range("-20"), Ok((None, Some(20))));
+        assert_eq!((aa("0.3"), aa("corners")), (Ok(Aa::Threshold(0.3)), Ok(Aa::Corners)));
+        assert!(aa("much").is_err());
         assert!(range("10").is_err() && range("a-b").is_err() && range("0-3").is_err());
     }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use super::args::{Compare, Look, Scene};
+use super::args::{Aa, Compare, Look, Scene};
 use crate::cli::failure::Failure;
 use crate::cli::picture;
 use crate::cli::problem::Problem;
@@ -27,6 +27,11 @@ pub(super) fn compare(arguments: &Compare, out: &mut dyn Write) -> Result<(), Fa
         })?;
     let scene = &existing(scene)?;
     // Better to know now that there is no POV-Ray than after an hour.
+    if arguments.look.aa.is_some_and(|aa| aa.threshold().is_none()) {
+        return Err(Problem::new("POV-Ray has no such antialiasing")
+            .help("give `--aa` a threshold, such as 0.3")
+            .into());
+    }
     let absent = |error| {
         Problem::new(format!("cannot run `{}`: {error}", name_of(&arguments.povray))).help(
             "install POV-Ray (Debian: `apt install povray povray-includes`), or name it with `--povray`",
@@ -85,8 +90,9 @@ fn words(scene: &Scene, look: &Look) -> Vec<String> {
     add(look.size.map(|size| format!("+W{}", size.0)));
     add(look.size.map(|size| format!("+H{}", size.1)));
     // `+A0.3` takes no number of 1 or more, and none without a nought.
-    add(look.aa.map(|_| "+A".to_owned()));
-    add(look.aa.map(|threshold| format!("Antialias_Threshold={threshold}")));
+    let threshold = look.aa.and_then(Aa::threshold);
+    add(threshold.map(|_| "+A".to_owned()));
+    add(threshold.map(|threshold| format!("Antialias_Threshold={threshold}")));
     add(look.aa_method.map(|method| format!("+AM{method}")));
     add(look.aa_depth.map(|depth| format!("+R{depth}")));
     add(look.quality.map(|quality| format!("+Q{quality}")));

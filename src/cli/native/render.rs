@@ -36,6 +36,7 @@ pub(super) fn render(arguments: &Render, err: &mut (dyn Write + Send)) -> Result
     job.exact_output = arguments.output.as_ref().is_some_and(|output| settings::has_extension(output));
     job.language.skip_unsupported = arguments.skip_unsupported;
     job.render.accelerator = settings::accelerator(arguments.accel);
+    job.render.sampling = settings::sampling(arguments.look.aa, &arguments.sampling);
     watch(&job, Teller::new(err, arguments.quiet), arguments.stats, "--continue")
 }
 

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use super::args::{Accel, Look, Render, Scene};
+use super::args::{self, Aa, Accel, Look, Render, Scene};
 use crate::cli::Problem;
 use crate::cli::job::Job;
 use crate::cli::output::Format;
 use crate::cli::povray::Environment;
 use crate::cli::restrictions::Restrictions;
 use crate::cli::settings::{Name, Settings, Value};
-use crate::options::Accelerator;
+use crate::options::{Accelerator, Filter, Sampling};
 
 /// Reads INI files, then what a scene's text can see.
 ///
@@ -66,8 +66,9 @@ pub(super) fn add_look(look: &Look, settings: &mut Settings) {
     };
     set(Name::Width, look.size.map(|size| int(size.0)));
     set(Name::Height, look.size.map(|size| int(size.1)));
-    set(Name::Antialias, look.aa.map(|_| Value::Bool(true)));
-    set(Name::AntialiasThreshold, look.aa.map(Value::Float));
+    let threshold = look.aa.and_then(Aa::threshold);
+    set(Name::Antialias, threshold.map(|_| Value::Bool(true)));
+    set(Name::AntialiasThreshold, threshold.map(Value::Float));
     set(Name::SamplingMethod, look.aa_method.map(byte));
     set(Name::AntialiasDepth, look.aa_depth.map(byte));
     set(Name::Quality, look.quality.map(byte));
@@ -117,6 +118,24 @@ pub(super) fn has_extension(output: &str) -> bool {
 /// The extension of an output that isn't a stream.
 fn extension(output: &str) -> Option<&str> {
     Path::new(output).extension().and_then(|extension| extension.to_str())
+}
+
+/// povista's own way to sample, where one was asked for.
+pub(super) fn sampling(aa: Option<Aa>, own: &args::Sampling) -> Option<Sampling> {
+    let filter = match own.filter {
+        args::Filter::Box => Filter::Box,
+        args::Filter::Triangle => Filter::Triangle,
+        args::Filter::Gaussian => Filter::Gaussian,
+        args::Filter::Mitchell => Filter::Mitchell,
+    };
+    match (aa, own.samples, own.budget, own.every) {
+        (Some(Aa::Adaptive), ..) => Some(Sampling::Adaptive { error: own.error, most: own.most, filter }),
+        (Some(Aa::Corners), ..) => Some(Sampling::Corners),
+        (_, Some(samples), ..) => Some(Sampling::Even { samples, filter }),
+        (_, _, Some(seconds), _) => Some(Sampling::Budget { seconds, filter }),
+        (.., Some(step)) => Some(Sampling::Every(step)),
+        _ => None,
+    }
 }
 
 /// The structure that was asked for.

@@ -20,7 +20,8 @@ fn row(antialias: Option<Antialias>, edge: u32) -> Vec<f32> {
     for top in (0..9).step_by(edge as usize) {
         for left in (0..13).step_by(edge as usize) {
             let region = Region { columns: left..(left + edge).min(13), rows: top..(top + edge).min(9) };
-            let pixels = block(&region, antialias.as_ref(), Some(Gamma::LINEAR), &mut stripes);
+            let options = RenderOptions { antialias, ..RenderOptions::new(13, 9) };
+            let pixels = block(&region, &options, Some(Gamma::LINEAR), &mut stripes);
             for (index, pixel) in pixels.iter().enumerate() {
                 let width = region.columns.len();
                 if top as usize + index / width == 4 {
