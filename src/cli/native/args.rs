@@ -14,6 +14,7 @@ Examples:
   povista check scene.pov                     says what is wrong with a scene
   povista fmt scene.pov                       indents it, and changes nothing else
   povista compare scene.pov                   renders with POV-Ray too and shows the difference
+  povista bench scene.pov                     measures time against error, POV-Ray's too
 
 POV-Ray's own switches, options and INI files work as they do there:
   povista +Iscene.pov +W640 +H480 +A0.3 +Oout.png -D
@@ -50,6 +51,8 @@ pub(super) enum Command {
     Compare(Compare),
     /// Answer an editor over the language server protocol, on standard input and output
     Lsp(Lsp),
+    /// Measure time against error for every way to sample a scene, and for POV-Ray's
+    Bench(Bench),
     /// Print what a shell needs to complete povista's commands
     Completions {
         /// The shell
@@ -58,7 +61,7 @@ pub(super) enum Command {
 }
 
 /// A scene, and what its text can see.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub(super) struct Scene {
     /// The scene; `-` reads standard input
     #[arg(value_name = "SCENE", value_hint = ValueHint::FilePath)]
@@ -310,6 +313,33 @@ pub(super) struct Compare {
     /// Tell as JSON
     #[arg(long)]
     pub(super) json: bool,
+}
+
+/// What to measure.
+#[derive(Debug, Args)]
+pub(super) struct Bench {
+    /// The scenes
+    #[arg(required = true, value_name = "SCENE", value_hint = ValueHint::FilePath)]
+    pub(super) scenes: Vec<String>,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "120x90", value_parser = size)]
+    pub(super) size: (u32, u32),
+    /// Use so many threads
+    #[arg(long, value_name = "COUNT", default_value_t = 1)]
+    pub(super) threads: usize,
+    /// Write the curves and the converged pictures to this folder
+    #[arg(short, long, value_name = "FOLDER", default_value = "bench", value_hint = ValueHint::DirPath)]
+    pub(super) output: PathBuf,
+    /// The program to measure beside
+    #[arg(long, value_name = "PROGRAM", default_value = "povray")]
+    pub(super) povray: PathBuf,
+}
+
+impl Bench {
+    /// One of the scenes, with nothing declared.
+    pub(super) fn of(&self, scene: &str) -> Scene {
+        Scene { scene: Some(scene.to_owned()), ..Scene::default() }
+    }
 }
 
 /// How diagnostics are told.

@@ -1,6 +1,7 @@
 //! povista's own command line: `render`, `check`, `diff` and their kin.
 
 mod args;
+mod bench;
 mod check;
 mod compare;
 mod diff;
@@ -34,8 +35,8 @@ const LONG_VERSION: &str = concat!(
 );
 
 /// The subcommands' names; with one of these first, words are povista's own.
-pub(super) const COMMANDS: [&str; 9] =
-    ["render", "check", "fmt", "dump", "diff", "compare", "lsp", "completions", "help"];
+pub(super) const COMMANDS: [&str; 10] =
+    ["render", "check", "fmt", "dump", "diff", "compare", "bench", "lsp", "completions", "help"];
 
 /// Runs a command line and returns the exit code.
 pub(super) fn main(
@@ -103,6 +104,7 @@ fn run(
         Command::Dump(arguments) => dump::dump(&arguments, out, err).map(|()| true),
         Command::Diff(arguments) => diff::diff(&arguments, out),
         Command::Lsp(arguments) => lsp::lsp(arguments).map(|()| true),
+        Command::Bench(arguments) => bench::bench(&arguments, out, err).map(|()| true),
         Command::Completions { shell } => {
             let mut script = Vec::new();
             clap_complete::generate(shell, &mut Arguments::command(), "povista", &mut script);
