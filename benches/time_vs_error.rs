@@ -5,8 +5,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 
 /// One scene for each kind of difficulty.
-const SCENES: [&str; 8] =
-    ["edges", "checker", "glass", "csg", "mesh", "textured", "soft_shadow", "flake"];
+const SCENES: [&str; 8] = ["edges", "checker", "glass", "csg", "mesh", "textured", "soft_shadow", "flake"];
 
 fn main() -> ExitCode {
     // `cargo test --benches` only wants to know whether it starts.

@@ -20,6 +20,10 @@ pub(super) struct Aim {
 /// Samples that every pixel gets.
 const FIRST: u32 = 4;
 
+/// The error of a sequence of n samples at an edge, in standard deviations over n^(3/4): measured
+/// over random edges with 4 to 256 samples.
+const SPREAD: f32 = 0.7;
+
 /// The share of a neighbour's difference that may hide in a pixel after one sample.
 const HIDDEN: f32 = 0.25;
 
@@ -54,8 +58,8 @@ impl Pixel {
         let mean = self.brightness();
         let variance = (self.seen[1] / count - mean * mean).max(0.0);
         // An evenly spread sequence errs like n^(-3/4) at edges, not like n^(-1/2).
-        let spread = variance.sqrt() / count.powf(0.75);
-        spread.max(HIDDEN * neighbours / (count * count.sqrt()))
+        let spread = SPREAD * variance.sqrt() / count.powf(0.75);
+        spread.max(HIDDEN * neighbours / count)
     }
 }
 
