@@ -102,6 +102,7 @@ impl Contrast {
         let colors: f32 = (0..3).map(|i| (a[i] - b[i]).abs()).sum();
         colors + (a[3] - b[3]).abs() >= self.threshold
     }
+
     /// How bright a sample is seen, as much as a screen shows of it; transmit counts like light.
     fn brightness(&self, color: Sample) -> f32 {
         let [red, green, blue] = std::array::from_fn(|i| self.perceived(color[i]).clamp(0.0, 1.0));
