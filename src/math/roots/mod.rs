@@ -4,6 +4,7 @@
 //! extremum between them: that is what makes a tangent ray one hit.
 
 mod bracket;
+mod descartes;
 mod polynomial;
 
 pub use bracket::between;

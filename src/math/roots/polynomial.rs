@@ -1,5 +1,7 @@
 //! Bracketed Newton on the monotone stretches of a polynomial (Yuksel, High Performance Graphics 2022).
 
+use super::descartes::isolated;
+
 /// The real roots of a polynomial with at most `N` coefficients, ascending.
 #[derive(Clone, Copy, Debug)]
 pub struct Roots<const N: usize> {
@@ -8,11 +10,11 @@ pub struct Roots<const N: usize> {
 }
 
 impl<const N: usize> Roots<N> {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self { values: [0.0; N], count: 0 }
     }
 
-    fn push(&mut self, root: f64) {
+    pub(super) fn push(&mut self, root: f64) {
         self.values[self.count] = root;
         self.count += 1;
     }
@@ -54,7 +56,14 @@ pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) 
             return Roots::new();
         }
     }
-    isolated(coefficients, low, high).unwrap_or_else(|| by_derivatives(coefficients, low, high))
+    let isolated = match length {
+        3 => isolated::<3, N>(coefficients, low, high),
+        4 => isolated::<4, N>(coefficients, low, high),
+        5 => isolated::<5, N>(coefficients, low, high),
+        7 => isolated::<7, N>(coefficients, low, high),
+        _ => None,
+    };
+    isolated.unwrap_or_else(|| by_derivatives(coefficients, low, high))
 }
 
 /// The same by way of all derivatives: slower, but sound where roots are multiple or nearly so.
@@ -86,104 +95,6 @@ fn root_bound(coefficients: &[f64]) -> f64 {
     let places = (0..degree).filter(|&i| coefficients[i] != 0.0);
     let largest = places.map(exponent).fold(f64::NEG_INFINITY, f64::max);
     (2.0 * largest.exp2()).min(f64::MAX)
-}
-
-/// Intervals are halved at most this often to part neighbouring roots.
-const HALVINGS: u32 = 10;
-
-/// The roots in `[low, high]`, found where the signs of Bernstein coefficients tell them apart
-/// (Descartes' rule: no change of sign, no root; one change, one root). `None` where rounding or
-/// roots close together leave doubt.
-fn isolated<const N: usize>(c: &[f64], low: f64, high: f64) -> Option<Roots<N>> {
-    let degree = c.len() - 1;
-    let width = high - low;
-    // The polynomial of the share of the way from low to high.
-    let mut b = [0.0; N];
-    b[..=degree].copy_from_slice(c);
-    for from in 0..degree {
-        for i in (from..degree).rev() {
-            b[i] += low * b[i + 1];
-        }
-    }
-    // In Bernstein's form: each coefficient over its binomial, then Pascal's sums.
-    let (mut power, mut binomial) = (1.0, 1.0);
-    for (i, b) in b[..=degree].iter_mut().enumerate() {
-        *b *= power / binomial;
-        power *= width;
-        binomial = binomial * (degree - i) as f64 / (i + 1) as f64;
-    }
-    for from in 1..=degree {
-        for i in (from..=degree).rev() {
-            b[i] += b[i - 1];
-        }
-    }
-    let reach = low.abs() + width;
-    let size = c.iter().rev().fold(0.0, |sum, c| sum * reach + c.abs());
-    let noise = 16.0 * degree as f64 * f64::EPSILON * size;
-    if !noise.is_finite() {
-        return None;
-    }
-    let mut roots = Roots::new();
-    let place = Stretch { low, width, from: 0.0, share: 1.0 };
-    isolate(c, &b, place, noise, HALVINGS, &mut roots).then_some(roots)
-}
-
-/// A part of an interval.
-#[derive(Clone, Copy)]
-struct Stretch {
-    low: f64,
-    width: f64,
-    from: f64,
-    share: f64,
-}
-
-impl Stretch {
-    fn at(&self, share: f64) -> f64 {
-        self.low + self.width * (self.from + self.share * share)
-    }
-}
-
-/// Appends the roots on a stretch with the Bernstein coefficients `b`; whether all were told apart.
-fn isolate<const N: usize>(
-    c: &[f64],
-    b: &[f64; N],
-    place: Stretch,
-    noise: f64,
-    halvings: u32,
-    roots: &mut Roots<N>,
-) -> bool {
-    let degree = c.len() - 1;
-    if b[0].abs() <= noise || b[degree].abs() <= noise {
-        return false;
-    }
-    let changes = b[..=degree].windows(2).filter(|pair| (pair[0] < 0.0) != (pair[1] < 0.0)).count();
-    let certain = b[1..degree].iter().all(|b| b.abs() > noise);
-    if certain && changes == 0 {
-        return true;
-    }
-    if certain && changes == 1 {
-        let ends = [0.0, 1.0].map(|share| place.at(share)).map(|x| (x, value(c, x)));
-        let Some(root) = bracketed(c, ends[0], ends[1]) else {
-            return false;
-        };
-        roots.push(root);
-        return true;
-    }
-    if halvings == 0 {
-        return false;
-    }
-    // De Casteljau's halving.
-    let (mut left, mut right) = ([0.0; N], *b);
-    for (i, left) in left[..=degree].iter_mut().enumerate() {
-        *left = right[0];
-        for j in 0..degree - i {
-            right[j] = 0.5 * (right[j] + right[j + 1]);
-        }
-    }
-    let half = Stretch { share: 0.5 * place.share, ..place };
-    let second = Stretch { from: half.from + half.share, ..half };
-    isolate(c, &left, half, noise, halvings - 1, roots)
-        && isolate(c, &right, second, noise, halvings - 1, roots)
 }
 
 /// Coefficients of the `order`-th derivative over `order!`.
@@ -225,10 +136,12 @@ fn stretch_roots<const N: usize>(c: &[f64], low: f64, high: f64, ends: &Roots<N>
     roots
 }
 
-fn value(c: &[f64], x: f64) -> f64 {
+#[inline(always)]
+pub(super) fn value(c: &[f64], x: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 
+#[inline(always)]
 fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
     c.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * x + c, slope * x + value))
 }
@@ -241,14 +154,18 @@ fn value_above_noise(c: &[f64], x: f64) -> f64 {
 }
 
 /// The root in a bracket with values of opposite sign at its ends.
-fn bracketed(c: &[f64], from: (f64, f64), to: (f64, f64)) -> Option<f64> {
+#[inline(always)]
+pub(super) fn bracketed(c: &[f64], from: (f64, f64), to: (f64, f64)) -> Option<f64> {
     if from.1 == 0.0 || to.1 == 0.0 || (from.1 < 0.0) == (to.1 < 0.0) {
         return None;
     }
     let (mut low, mut high) = (from.0, to.0);
     let rising = from.1 < 0.0;
-    let mut x = low + (high - low) * 0.5;
-    let mut last_step = high - low;
+    let width = high - low;
+    // Where the chord crosses, but not at an end: roots there are found as fast from anywhere.
+    let share = (from.1 / (from.1 - to.1)).clamp(1.0 / 64.0, 63.0 / 64.0);
+    let mut x = low + width * if share.is_nan() { 0.5 } else { share };
+    let mut last_step = width;
     loop {
         let (value, slope) = value_and_slope(c, x);
         if value == 0.0 {
