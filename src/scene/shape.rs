@@ -294,6 +294,12 @@ pub struct Prism {
     pub open: bool,
 }
 
+/// How near two points of an outline are to count as one, where it has to close: 1e-10 in an outline of
+/// size 1. POV-Ray's measure is that in any.
+pub fn closing_distance(points: &[DVec2]) -> f64 {
+    1e-10 * points.iter().fold(0.0, |most: f64, p| most.max(p.abs().max_element()))
+}
+
 /// A `sor`, around the y axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sor {

@@ -1,7 +1,7 @@
 //! The splines of `prism`, `lathe` and `sphere_sweep` (docs/spec/primitives.md 6).
 
 use crate::math::{DVec2, DVec4};
-use crate::scene::shape::{self as scene, ContourSpline, SweepSpline};
+use crate::scene::shape::{self as scene, ContourSpline, SweepSpline, closing_distance};
 use crate::world::shape::curve::{Curve, Segment};
 use crate::world::shape::lathe::Lathe;
 use crate::world::shape::prism::Prism;
@@ -58,17 +58,13 @@ pub(super) fn sphere_sweep(sweep: &scene::SphereSweep) -> Option<SphereSweep> {
     SphereSweep::new(segments, &balls, room)
 }
 
-/// Whether POV-Ray takes both for the same point.
-fn same(a: DVec2, b: DVec2) -> bool {
-    (a - b).abs().max_element() < 1e-10
-}
-
 /// Polygons, each up to the point that repeats its first; the last is closed if it isn't.
 fn linear(points: &[DVec2]) -> Vec<Segment> {
+    let near = closing_distance(points);
     let mut segments = Vec::new();
     let mut rest = points;
     while let [first, tail @ ..] = rest {
-        let end = tail.iter().position(|p| same(*p, *first)).unwrap_or(tail.len());
+        let end = tail.iter().position(|p| p.distance(*first) <= near).unwrap_or(tail.len());
         let corners = &rest[..=end];
         let next = corners[1..].iter().chain([first]);
         segments.extend(corners.iter().zip(next).map(|(a, b)| Segment::linear(*a, *b)));
@@ -85,11 +81,12 @@ fn runs(
     after: usize,
     segment: impl Fn(&[DVec2]) -> Segment,
 ) -> Option<Vec<Segment>> {
+    let near = closing_distance(points);
     let mut segments = Vec::new();
     let mut rest = points;
     while !rest.is_empty() {
         let first = rest.get(before)?;
-        let end = rest[before + 1..].iter().position(|p| same(*p, *first))? + before + 1;
+        let end = rest[before + 1..].iter().position(|p| p.distance(*first) <= near)? + before + 1;
         let run = rest.get(..=end + after)?;
         segments.extend(run.windows(before + after + 2).map(&segment));
         rest = &rest[run.len()..];

@@ -8,7 +8,7 @@ use crate::scene::camera::{FocalBlur, Projection};
 use crate::scene::{Camera, Normal, Pigment};
 use crate::source::Span;
 
-/// Lengths and products below this count as zero.
+/// Products of vectors that don't depend on the size of the scene count as zero below this.
 const EPSILON: f64 = 1e-10;
 
 /// A camera as it is written, before its vectors are assembled.
@@ -151,7 +151,9 @@ impl Draft {
         let (length, height, width) = (self.direction.length(), self.up.length(), self.right.length());
         let handedness = self.up.cross(self.direction).dot(self.right);
         let ahead = point - self.location;
-        if ahead.length_squared() < EPSILON {
+        // POV-Ray refuses points nearer than 1e-5, whatever the size of the scene.
+        let coordinates = point.abs().max(self.location.abs()).max_element();
+        if ahead.length() <= 4.0 * f64::EPSILON * coordinates {
             return Err(vm
                 .error(place, "the camera looks at the point where it is")
                 .help("move `location` or `look_at`"));
@@ -173,7 +175,7 @@ impl Draft {
     /// The view of an orthographic camera is as wide as a perspective one's at the point looked at.
     fn resize(&mut self, looked_at: DVec3) {
         let (distance, length) = (looked_at.distance(self.location), self.direction.length());
-        if distance > EPSILON && length > EPSILON {
+        if distance > 0.0 && length > 0.0 {
             self.right *= distance / length;
             self.up *= distance / length;
         }

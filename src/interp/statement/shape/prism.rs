@@ -6,10 +6,7 @@ use super::{contour, points};
 use crate::interp::{Result, Vm, Word};
 use crate::math::DVec2;
 use crate::scene::Shape;
-use crate::scene::shape::{ContourSpline, Csg, CsgOperation, Prism};
-
-/// Points nearer than this coincide.
-const SAME: f64 = 1e-10;
+use crate::scene::shape::{ContourSpline, Csg, CsgOperation, Prism, closing_distance};
 
 /// Reads sweep, spline, heights (sorted) and points.
 pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
@@ -45,11 +42,12 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
 
 /// Closes the last contour; says whether it was closed already.
 fn close_last(points: &mut Vec<DVec2>) -> bool {
+    let near = closing_distance(points);
     let mut start = Some(0);
     for index in 1..points.len() {
         match start {
             None => start = Some(index),
-            Some(first) if points[index].distance(points[first]) < SAME => start = None,
+            Some(first) if points[index].distance(points[first]) <= near => start = None,
             Some(_) => {}
         }
     }
@@ -65,7 +63,8 @@ fn close_last(points: &mut Vec<DVec2>) -> bool {
 /// Whether every contour ends where it begins. Control points stand before a quadratic contour, and
 /// around a cubic one (docs/spec/primitives.md 6.3).
 fn is_closed(spline: ContourSpline, points: &[DVec2]) -> bool {
-    let same = |a: usize, b: usize| points[a].distance(points[b]) < SAME;
+    let near = closing_distance(points);
+    let same = |a: usize, b: usize| points[a].distance(points[b]) <= near;
     if spline == ContourSpline::Bezier {
         let mut first = 0;
         return (3..points.len()).step_by(4).all(|end| {

@@ -6,7 +6,7 @@ use super::points;
 use crate::interp::{Result, Vm, Word};
 use crate::scene::{Shape, shape::Sor};
 
-/// Heights nearer than this coincide.
+/// Heights nearer than this share of the whole height coincide.
 const LEAST_STEP: f64 = 1e-10;
 
 /// Reads the points.
@@ -29,7 +29,8 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
             .error(place, "the heights of a sor have to increase from point to point")
             .help("use `lathe` for a curve that turns back"));
     }
-    if points.windows(3).any(|three| (three[2].y - three[0].y).abs() < LEAST_STEP) {
+    let height = inner[inner.len() - 1].y - inner[0].y;
+    if points.windows(3).any(|three| (three[2].y - three[0].y).abs() < LEAST_STEP * height) {
         return Err(vm.error(place, "an end point of this sor is at the height of the point after next"));
     }
     let open = vm.accept(Word::Open)?;

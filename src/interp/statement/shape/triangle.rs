@@ -50,8 +50,10 @@ pub(super) fn smooth_corners(vm: &mut Vm<'_>) -> Result<([DVec3; 3], [DVec3; 3])
     Ok((pairs.map(|[corner, _]| corner), pairs.map(|[_, normal]| normal)))
 }
 
-/// Whether two corners coincide or all three lie on one line, by POV-Ray's measure.
+/// Whether two corners coincide or all three lie on one line, as far as rounding can tell. POV-Ray's
+/// measure is an area of 5e-11, whatever the size of the scene.
 pub(super) fn is_degenerate(&[a, b, c]: &[DVec3; 3]) -> bool {
-    const LEAST_CROSS: f64 = 1e-10;
-    (b - a).cross(c - a).length() < LEAST_CROSS
+    const LEAST_SINE: f64 = 4.0 * f64::EPSILON;
+    let (e, f) = (b - a, c - a);
+    e.cross(f).length() <= LEAST_SINE * e.length() * f.length()
 }
