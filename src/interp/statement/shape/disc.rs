@@ -9,7 +9,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
     vm.comma()?;
     let normal = vm.read_vector()?.normalize_or_zero();
     vm.comma()?;
-    let radius = vm.read_float()?;
+    let radius = super::radius(vm, "disc")?;
     vm.comma()?;
     let hole = if vm.at_number()? { vm.read_float()? } else { 0.0 };
     Ok(Shape::Disc(Box::new(Disc { center, normal, radius, hole })))

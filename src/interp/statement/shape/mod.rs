@@ -37,6 +37,7 @@ use super::super::{Block, Result, Vm, Word};
 use crate::math::DVec2;
 use crate::scene::object::ObjectFlags;
 use crate::scene::{Function, Shape};
+use crate::source::Span;
 
 /// Whether a word begins a statement that makes an object with a shape of its own.
 pub(super) fn is_shape(word: Word) -> bool {
@@ -132,6 +133,27 @@ fn points<'v, T>(
     }
     vm.comma()?;
     Ok(points)
+}
+
+/// Reads a radius. POV-Ray takes negative ones as they come and says nothing.
+fn radius(vm: &mut Vm<'_>, what: &str) -> Result<f64> {
+    let (radius, place) = vm.located(Vm::read_float)?;
+    if radius < 0.0 {
+        let help = format!("POV-Ray accepts it and says nothing; did you mean `{}`?", -radius);
+        vm.warn(place, format!("the radius of this {what} is negative"), &help);
+    }
+    check_finite(vm, &[radius], "radius", place)?;
+    Ok(radius)
+}
+
+/// Refuses coefficients and the like that are infinite or no number.
+fn check_finite(vm: &Vm<'_>, numbers: &[f64], what: &str, place: Span) -> Result<()> {
+    match numbers.iter().find(|number| !number.is_finite()) {
+        None => Ok(()),
+        Some(number) => Err(vm
+            .error(place, format!("a {what} cannot be {}", if number.is_nan() { "NaN" } else { "infinite" }))
+            .help("no surface has such a number in its equation: look for a division by something tiny")),
+    }
 }
 
 /// How much to reserve for a list that claims to have `count` entries: it may have fewer.

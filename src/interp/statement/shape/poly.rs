@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::check_finite;
 use crate::interp::{Result, Vm, Word};
 use crate::scene::{Shape, shape::Poly};
 use crate::syntax::Punct;
@@ -40,7 +41,9 @@ pub(super) fn polynomial(vm: &mut Vm<'_>) -> Result<Shape> {
             ));
         }
         vm.expect(Punct::Colon)?;
-        coefficients[index(order, powers.map(|power| power as usize))] = vm.read_float()?;
+        let (coefficient, place) = vm.located(Vm::read_float)?;
+        check_finite(vm, &[coefficient], "coefficient", place)?;
+        coefficients[index(order, powers.map(|power| power as usize))] = coefficient;
         vm.comma()?;
     }
     Ok(Shape::Poly(Arc::new(Poly { order, coefficients })))
@@ -61,8 +64,10 @@ fn count(order: u32) -> usize {
 }
 
 fn coefficients(vm: &mut Vm<'_>, order: u32) -> Result<Vec<f64>> {
-    let count = count(order);
-    vm.read_components(count)
+    let start = vm.here()?;
+    let coefficients = vm.read_components(count(order))?;
+    check_finite(vm, &coefficients, "coefficient", start.to(vm.last))?;
+    Ok(coefficients)
 }
 
 /// The place of x^i y^j z^k: terms are sorted by falling powers of x, then of y, then of z.

@@ -22,7 +22,31 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
         let first = last_start(&points);
         points.push(points[first]);
     }
+    if let Some((message, help)) = flaw(&points) {
+        vm.warn(start.to(vm.last), message, help);
+    }
     Ok(Shape::Polygon(points.into()))
+}
+
+/// Why nothing would be seen of a polygon, and what to do about it.
+fn flaw(points: &[DVec3]) -> Option<(&'static str, &'static str)> {
+    /// Of the polygon's size: what is drawn in spite of rounding.
+    const FLATNESS: f64 = 1e-6;
+    let from = |p: &DVec3| *p - points[0];
+    let size = points.iter().map(|p| from(p).abs().max_element()).fold(0.0, f64::max);
+    let u = points.iter().map(from).find(|v| v.length() > FLATNESS * size).unwrap_or_default();
+    let crosses = points.iter().map(|p| u.cross(from(p)));
+    let Some(normal) = crosses.into_iter().find(|n| n.length() > FLATNESS * size * u.length()) else {
+        return Some((
+            "the points of this polygon lie on one line",
+            "nothing of it is seen; three points have to span an area",
+        ));
+    };
+    let off = |p: &DVec3| from(p).dot(normal.normalize()).abs() > FLATNESS * size;
+    points.iter().any(off).then_some((
+        "the points of this polygon are not in one plane",
+        "nothing of it is seen; use several triangles or a mesh",
+    ))
 }
 
 /// Where the contour that contains the last point begins.

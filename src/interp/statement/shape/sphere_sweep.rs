@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::points;
+use super::{points, radius};
 use crate::interp::{Result, Vm, Word};
 use crate::scene::Shape;
 use crate::scene::shape::{SphereSweep, SweepSpline};
@@ -24,7 +24,7 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
     let spheres = points(vm, count as usize, |vm| {
         let center = vm.read_vector()?;
         vm.comma()?;
-        Ok((center, vm.read_float()?))
+        Ok((center, radius(vm, "sphere")?))
     })?;
     let mut tolerance = 1e-6;
     while vm.accept(Word::Tolerance)? {

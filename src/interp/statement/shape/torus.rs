@@ -5,7 +5,7 @@ use crate::scene::Shape;
 
 /// Reads the parameters.
 pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
-    let major = vm.read_float()?;
+    let major = super::radius(vm, "torus")?;
     vm.comma()?;
-    Ok(Shape::Torus { major, minor: vm.read_float()? })
+    Ok(Shape::Torus { major, minor: super::radius(vm, "torus")? })
 }
