@@ -1,0 +1,146 @@
+//! What a surface is, as equations that any kind of number can be put into.
+
+use povista::math::DVec3;
+use povista::world::Ray;
+
+use crate::certify::{Along, Zeros, zeros};
+use crate::double::Double;
+use crate::interval::{Interval, Scalar};
+use crate::real::{Jet, Moved, Real};
+
+/// A surface made of pieces: each where an equation is zero and a limit, if there is one, negative.
+pub(crate) trait Model: Sync {
+    fn pieces(&self) -> usize {
+        1
+    }
+
+    fn equation<T: Real>(&self, piece: usize, p: &[T; 3]) -> T;
+
+    fn limit<T: Real>(&self, _piece: usize, _p: &[T; 3]) -> Option<T> {
+        None
+    }
+
+    /// Half the side of a cube about the origin that holds the surface, or what is looked at of it.
+    fn reach(&self) -> f64;
+}
+
+/// A ray in the space of a model, from where it passes the origin.
+pub(crate) struct Line {
+    pub(crate) origin: [Double; 3],
+    pub(crate) direction: [f64; 3],
+    /// Distance from the ray's own start to here.
+    pub(crate) shift: f64,
+    /// How far rounding of the ray's and the place's numbers by four units may move it.
+    pub(crate) room: f64,
+}
+
+impl Line {
+    /// The ray relative to a place.
+    pub(crate) fn new(ray: &Ray, place: DVec3, reach: f64) -> Self {
+        let from = ray.origin - place;
+        let shift = -from.dot(ray.direction) / ray.direction.length_squared();
+        let origin = std::array::from_fn(|i| {
+            Double::of(ray.origin[i]) - Double::of(place[i])
+                + Double::of(shift) * Double::of(ray.direction[i])
+        });
+        let size = [ray.origin, place, shift * ray.direction].map(|v| v.abs().max_element());
+        let room = 4.0 * f64::EPSILON * size.iter().fold(reach, |a, b| a.max(*b));
+        Self { origin, direction: ray.direction.to_array(), shift, room }
+    }
+
+    /// The same moved aside.
+    pub(crate) fn moved(&self, by: DVec3) -> Self {
+        let origin = std::array::from_fn(|i| self.origin[i] + Double::of(by[i]));
+        Self { origin, ..*self }
+    }
+
+    fn at<S: Scalar>(&self, t: Interval<S>, start: impl Fn(Double) -> Interval<S>) -> [Jet<S>; 3] {
+        std::array::from_fn(|i| {
+            let slope = Interval::of(self.direction[i]);
+            Jet { value: start(self.origin[i]) + t * slope, slope }
+        })
+    }
+
+    fn rough(&self, t: Interval<f64>) -> [Jet<f64>; 3] {
+        self.at(t, |x| Interval::point(x.to_f64()).widened(self.room))
+    }
+
+    fn fine(&self, t: Interval<Double>) -> [Jet<Double>; 3] {
+        self.at(t, Interval::point)
+    }
+
+    /// The point nearest to the exact one.
+    pub(crate) fn point(&self, t: Double) -> DVec3 {
+        DVec3::from_array(std::array::from_fn(|i| {
+            (self.origin[i] + t * Double::of(self.direction[i])).to_f64()
+        }))
+    }
+}
+
+struct Piece<'a, M> {
+    model: &'a M,
+    number: usize,
+    line: &'a Line,
+}
+
+impl<M: Model> Along for Piece<'_, M> {
+    fn rough(&self, t: Interval<f64>) -> Jet<f64> {
+        self.model.equation(self.number, &self.line.rough(t))
+    }
+
+    fn fine(&self, t: Interval<Double>) -> Jet<Double> {
+        self.model.equation(self.number, &self.line.fine(t))
+    }
+
+    fn counts(&self, t: Interval<Double>) -> Option<bool> {
+        let Some(limit) = self.model.limit(self.number, &self.line.fine(t)) else { return Some(true) };
+        (!limit.value.has_zero()).then(|| limit.value.is_negative())
+    }
+}
+
+/// A crossing, exactly.
+pub(crate) struct Exact {
+    /// From where the line passes the origin.
+    pub(crate) t: Double,
+    pub(crate) piece: usize,
+}
+
+/// Everything known about a line and a model.
+#[derive(Default)]
+pub(crate) struct Meeting {
+    pub(crate) crossings: Vec<Exact>,
+    pub(crate) doubtful: Vec<f64>,
+    /// Whether a change of the ray by four units in the last place may change the count.
+    pub(crate) close: bool,
+}
+
+/// Half the length of the line that is looked at; `None` of one that passes far away.
+pub(crate) fn half_length(model: &impl Model, line: &Line) -> Option<f64> {
+    // More than the way from the middle of the cube to its corners.
+    let reach = 1.8 * model.reach();
+    let beside = line.point(Double::of(0.0)).abs().max_element();
+    (beside <= reach).then(|| reach / DVec3::from_array(line.direction).length())
+}
+
+pub(crate) fn meet<M: Model>(model: &M, line: &Line) -> Meeting {
+    let mut out = Meeting::default();
+    let Some(half) = half_length(model, line) else { return out };
+    for number in 0..model.pieces() {
+        let Zeros { at, doubtful, close } = zeros(&Piece { model, number, line }, -half, half);
+        out.crossings.extend(at.into_iter().map(|t| Exact { t, piece: number }));
+        out.doubtful.extend(doubtful);
+        out.close |= close;
+    }
+    out.crossings.sort_by(|a, b| a.t.partial_cmp(&b.t).expect("crossings are at numbers"));
+    out
+}
+
+/// The equation with its sensitivity to the inputs and its gradient at a crossing.
+pub(crate) fn sensitivity<M: Model>(model: &M, line: &Line, at: &Exact) -> Moved {
+    let p = line.point(at.t);
+    let point = std::array::from_fn(|i| {
+        let slope = std::array::from_fn(|j| f64::from(u8::from(i == j)));
+        Moved { value: p[i], by: p[i].abs() + line.room / (4.0 * f64::EPSILON), slope }
+    });
+    model.equation(at.piece, &point)
+}
