@@ -1,6 +1,6 @@
 //! The same picture in every size and place: a whole scene, camera and light along, is scaled or moved.
 //!
-//! `invariance.txt` holds how many pixels change, ours and POV-Ray's. To renew it, with POV-Ray at hand:
+//! To count the pixels that change in POV-Ray's pictures too, and write both to `invariance.txt`:
 //!
 //! ```text
 //! POVISTA_STABILITY=renew cargo test --profile testing --test stability invariance
