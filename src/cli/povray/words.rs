@@ -12,7 +12,7 @@ pub fn read(word: &str, settings: &mut Settings) -> Result<(), Problem> {
     if word.is_empty() {
         return Ok(()); // A script's empty variable.
     }
-    if word == "-" {
+    if word == "-" && settings.text(Name::InputFileName).is_none() {
         // Standard input, as with povista's own words; POV-Ray refuses it.
         settings.set(Name::InputFileName, Value::Text(word.to_owned()));
         return Ok(());

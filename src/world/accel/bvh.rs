@@ -160,6 +160,9 @@ impl Bvh {
         let blur = 1.0 + (ray.origin.abs().max_element() + self.center.abs().max_element()) * self.scale;
         let stretch = ray.direction.abs().max_element();
         let probe = Probe::new(self.inner(ray.at(start)), ray.direction / stretch, (blur * BLUR) as f32);
+        if !probe.is_sound() {
+            return;
+        }
         // Distances beyond `start`, in the space of the boxes.
         let scale = self.scale * stretch;
         let inner = |t: f64| rounded_up((t + t.abs() * BLUR - start) * scale);
@@ -351,6 +354,12 @@ impl Probe {
             probe.backward[axis] = inverse < 0.0;
         }
         probe
+    }
+
+    /// Whether the ray is one: boxes of missing children are only missed by finite ones.
+    #[inline(always)]
+    fn is_sound(&self) -> bool {
+        (0..3).all(|axis| (self.near[axis] * self.inverse[axis]).is_finite())
     }
 
     /// Entry distances, none negative, and the bits of the boxes met before `far`.

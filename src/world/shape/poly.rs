@@ -101,27 +101,21 @@ impl Poly {
         in_x
     }
 
-    fn roots<const N: usize>(&self, ray: &Ray, [low, high]: [f64; 2]) -> Roots<N> {
+    fn roots<const N: usize>(&self, ray: &Ray) -> Roots<N> {
         let along = self.along::<N>(ray);
-        roots_between(&along.terms[..along.count], low, high)
+        roots_between(&along.terms[..along.count], f64::NEG_INFINITY, f64::INFINITY)
     }
 
-    /// Calls back with the distance of every crossing in the range, ascending, until told to stop.
-    fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
-        /// How much more than the range is searched, as a share of the way to the ends: a root at an
-        /// end, such as the start of a ray that leaves the surface, is told from none with more effort.
-        const ROOM: f64 = 1.0 / 256.0;
+    /// Calls back with the distance of every crossing on the line, ascending, until told to stop.
+    fn walk(&self, ray: &Ray, mut found: impl FnMut(f64) -> bool) {
         let (shift, ray) = ray.moved_to(DVec3::ZERO);
         let mut each = |roots: &[f64]| {
-            roots.iter().map(|t| self.polish(&ray, *t) + shift).all(|t| !range.contains(t) || found(t));
+            roots.iter().all(|t| found(self.polish(&ray, *t) + shift));
         };
-        let (low, high) = (range.min - shift, range.max - shift);
-        let length = if (high - low).is_finite() { high - low } else { 0.0 };
-        let within = [low - ROOM * low.abs().max(length), high + ROOM * high.abs().max(length)];
         match self.degree {
-            ..=4 => each(self.roots::<5>(&ray, within).as_slice()),
-            5..=8 => each(self.roots::<9>(&ray, within).as_slice()),
-            _ => each(self.roots::<{ MAX_DEGREE + 1 }>(&ray, within).as_slice()),
+            ..=4 => each(self.roots::<5>(&ray).as_slice()),
+            5..=8 => each(self.roots::<9>(&ray).as_slice()),
+            _ => each(self.roots::<{ MAX_DEGREE + 1 }>(&ray).as_slice()),
         }
     }
 
@@ -172,17 +166,19 @@ impl Shape for Poly {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        self.walk(ray, range, |t| {
-            out.push(Crossing::new(t, 0));
+        self.walk(ray, |t| {
+            if range.contains(t) {
+                out.push(Crossing::new(t, 0));
+            }
             true
         });
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let mut nearest = None;
-        self.walk(ray, range, |t| {
-            nearest = Some(Crossing::new(t, 0));
-            false
+        self.walk(ray, |t| {
+            nearest = range.contains(t).then(|| Crossing::new(t, 0));
+            nearest.is_none()
         });
         nearest
     }
