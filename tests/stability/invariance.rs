@@ -127,13 +127,17 @@ fn scene(object: &str, scale: f64, far: f64) -> String {
     )
 }
 
+/// Where the font is.
+const INCLUDES: &str = "/usr/share/povray-3.7/include";
+
 type Pixels = Vec<[i32; 3]>;
 
 fn ours(text: &str) -> Pixels {
     let mut sources = Sources::new(Library::default());
     let main = sources.add(Source::new("scene.pov", "", text.as_bytes().to_vec()));
     let mut sink = Collect::default();
-    let scene = interpret(main, &mut sources, &LanguageOptions::default(), &mut sink);
+    let options = LanguageOptions { library_paths: vec![INCLUDES.into()], ..LanguageOptions::default() };
+    let scene = interpret(main, &mut sources, &options, &mut sink);
     let scene = scene.unwrap_or_else(|| panic!("{text}: {:?}", sink.diagnostics));
     let options = RenderOptions::new(WIDTH, HEIGHT);
     let image = render(&compile(scene, &options).world, &options, &()).image;
