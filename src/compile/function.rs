@@ -213,7 +213,7 @@ mod tests {
                 let s = f64::from(step) / 4.0;
                 let off =
                     (compiled.call(&[middle + half * s]) - found.middle.0[1] - found.slope.0[1] * s).abs();
-                assert!(!(off > found.reach.0[1]), "{off:e} off at {s} of {found:?}");
+                assert!(off <= found.reach.0[1] || off.is_nan(), "{off:e} off at {s} of {found:?}");
             }
             if n % 25 == 24 {
                 reach = reach.max(found.reach.0[1]);

@@ -1,6 +1,6 @@
 //! Source in, the same scene neatly laid out.
 //!
-//! - [`format`] moves blanks and nothing else: the tokens of the text and its comments stay what they are, which is
+//! - [`format`](format()) moves blanks and nothing else: the tokens of the text and its comments stay what they are, which is
 //!   checked before the text is handed out, and what was laid out once is not changed again.
 //! - Lines stay lines. They are indented by the braces, brackets and directives around them, two columns each.
 //! - In a line, blanks are set where everybody wants them; wherever two or more stand, somebody lined things up
@@ -20,7 +20,7 @@ use crate::syntax::{self, Symbols};
 /// Why a text is not laid out.
 #[derive(Debug)]
 pub enum Refusal {
-    /// These mistakes are in its tokens. The spans are in the file given to [`format`].
+    /// These mistakes are in its tokens. The spans are in the file given to [`format`](format()).
     Mistakes(Vec<Diagnostic>),
     /// It would mean something else afterwards: a mistake of this module.
     Changed,

@@ -3,7 +3,7 @@
 //! - [`text`] looks at the files as they are written; nothing is run for it, so arms that are never read and macros
 //!   that are never called are looked at too.
 //! - [`geometry`] looks at what stands where in a scene that was read.
-//! - Each finding has a [`Code`], by which [`Levels`] leaves it out or makes it an error.
+//! - Each finding has a [`Code`](crate::diag::Code), by which [`Levels`] leaves it out or makes it an error.
 //! - Only the user's own files are looked at; those of others are read to know which names they use.
 
 mod defaults;

@@ -69,7 +69,7 @@ impl<M: Model> Target<'_, M> {
     pub(crate) fn ray(&self, number: u64) -> Ray {
         let mut dice = Dice::new(number);
         let ray = self.random(number, &mut dice);
-        if number % 3 != 0 {
+        if !number.is_multiple_of(3) {
             return ray;
         }
         let range = Range { min: f64::NEG_INFINITY, max: f64::INFINITY };
@@ -132,7 +132,7 @@ impl<M: Model> Target<'_, M> {
         }
         for ((t, normal), crossing) in found.iter().zip(&exact.crossings) {
             let (ulps, degrees) = self.errors(&line, *t, *normal, crossing);
-            if !(ulps < 1e9) {
+            if ulps.is_nan() || ulps >= 1e9 {
                 score.false_hits += 1;
                 score.missed += 1;
             } else {

@@ -88,8 +88,8 @@ fn isolate<const L: usize, const N: usize>(
     }
     // De Casteljau's halving.
     let (mut left, mut right) = ([0.0; L], *b);
-    for i in 0..L {
-        left[i] = right[0];
+    for (i, first) in left.iter_mut().enumerate() {
+        *first = right[0];
         for j in 0..L - 1 - i {
             right[j] = 0.5 * (right[j] + right[j + 1]);
         }

@@ -65,8 +65,6 @@ pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) 
         7 => isolated::<7, N>(coefficients, low, high),
         8 => isolated::<8, N>(coefficients, low, high),
         9 => isolated::<9, N>(coefficients, low, high),
-        11 => isolated::<11, N>(coefficients, low, high),
-        16 => isolated::<16, N>(coefficients, low, high),
         _ => None,
     };
     isolated.unwrap_or_else(|| by_derivatives(coefficients, low, high))

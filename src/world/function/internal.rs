@@ -226,7 +226,7 @@ mod tests {
                     let expected = internal.call(&arguments);
                     let off = (expected - found.middle.0[1] - found.slope.0[1] * s).abs();
                     assert!(
-                        !(off > found.reach.0[1]),
+                        off <= found.reach.0[1] || off.is_nan(),
                         "internal({number}) is {off:e} off at {s} of {found:?}"
                     );
                 }
@@ -235,7 +235,7 @@ mod tests {
                 }
             }
             all += 1;
-            if !(reach < 0.01) {
+            if reach.is_nan() || reach >= 0.01 {
                 wide.push(number);
             }
         }
