@@ -17,6 +17,20 @@ const LIMIT: Duration = Duration::from_secs(20);
 /// Runs at a time: POV-Ray sleeps for half a second each.
 const AT_A_TIME: usize = 12;
 
+/// How povista is asked: habits that POV-Ray says nothing about are no verdicts.
+const CHECK: [&str; 10] = [
+    "check",
+    "--format",
+    "plain",
+    "--allow",
+    "unused",
+    "--allow",
+    "deprecated",
+    "--allow",
+    "missing_max_gradient",
+    "row.pov",
+];
+
 /// A statement and what both programs are to say.
 struct Row {
     line: usize,
@@ -68,7 +82,7 @@ fn statements_are_refused_and_accepted_by_both() {
         let row = &rows[at];
         let switches = ["+Irow.pov", "-F", "-D", "+W1", "+H1", "+WT1"];
         let theirs = verdict(&povray, &row.statement, &switches, &["Parse Warning", "Possible Parse Error"]);
-        let ours = verdict(&povista, &row.statement, &["check", "--format", "plain", "row.pov"], &["⚠"]);
+        let ours = verdict(&povista, &row.statement, &CHECK, &["⚠"]);
         let found = format!("povista {ours}, POV-Ray {theirs}");
         let wanted = format!("povista {}, POV-Ray {}", row.povista, row.povray);
         (found != wanted)
