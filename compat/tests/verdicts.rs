@@ -18,18 +18,8 @@ const LIMIT: Duration = Duration::from_secs(20);
 const AT_A_TIME: usize = 12;
 
 /// How povista is asked: habits that POV-Ray says nothing about are no verdicts.
-const CHECK: [&str; 10] = [
-    "check",
-    "--format",
-    "plain",
-    "--allow",
-    "unused",
-    "--allow",
-    "deprecated",
-    "--allow",
-    "missing_max_gradient",
-    "row.pov",
-];
+const CHECK: [&str; 8] =
+    ["check", "--format", "plain", "--allow", "unused", "--allow", "missing_max_gradient", "row.pov"];
 
 /// A statement and what both programs are to say.
 struct Row {
