@@ -95,21 +95,22 @@ impl Flattener<'_> {
     }
 
     fn leaf(&mut self, primitive: &Shape, object: &Object, own: &Inherited) -> Option<Member> {
-        let compiled = match self.primitive(primitive, object, own.inner(object).as_deref()) {
+        let outer = own.inner(object);
+        let compiled = match self.primitive(primitive, object, outer.as_deref()) {
             Ok(compiled) => compiled,
             Err(unsupported) => {
                 self.flat.unsupported.push(unsupported);
                 return None;
             }
         };
-        let transform = match (compiled.transform, own.inner(object)) {
-            (Some(first), Some(then)) => Some(Box::new(first.then(&then))),
+        let transform = match (compiled.transform, &outer) {
+            (Some(first), Some(then)) => Some(Box::new(first.then(then))),
             (Some(only), None) => Some(Box::new(only)),
-            (None, only) => only.map(|only| Box::new(*only)),
+            (None, only) => only.as_ref().map(|only| Box::new(**only)),
         };
         let first = self.flat.textures.len() as u32;
         for texture in own_list(primitive) {
-            let outer = if own.uv_mapping { None } else { own.inner(object) };
+            let outer = outer.clone().filter(|_| !own.uv_mapping);
             self.texture(texture, outer, object.span);
         }
         let own_textures = first..self.flat.textures.len() as u32;

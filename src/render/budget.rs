@@ -13,7 +13,7 @@ use crate::options::Filter;
 pub(super) fn render(eye: &Eye<'_>, seconds: f32, filter: Filter, progress: &dyn Progress) -> Rendered {
     let start = Instant::now();
     let mut round = Turns { first: 0, count: 1 };
-    let mut rendered = pass(eye, round, filter, progress);
+    let mut rendered = tiles::render(eye.options, progress, |block| eye.block(block));
     loop {
         let spent = start.elapsed().as_secs_f64();
         let taken = round.first + round.count;
@@ -23,17 +23,13 @@ pub(super) fn render(eye: &Eye<'_>, seconds: f32, filter: Filter, progress: &dyn
             return rendered;
         }
         round = Turns { first: taken, count };
-        let more = pass(eye, round, filter, &());
+        let more = tiles::render(eye.options, &(), |block| {
+            eye.sampled(|sample| even(block, round, filter, eye.options.seed, sample))
+        });
         let share = count as f32 / (taken + count) as f32;
         blend(&mut rendered.image, &more.image, share);
         rendered.statistics += more.statistics;
     }
-}
-
-fn pass(eye: &Eye<'_>, turns: Turns, filter: Filter, progress: &dyn Progress) -> Rendered {
-    tiles::render(eye.options, progress, |block| {
-        eye.sampled(|sample| even(block, turns, filter, eye.options.seed, sample))
-    })
 }
 
 /// Moves a picture some of the way to another.

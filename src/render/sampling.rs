@@ -40,6 +40,7 @@ pub(super) fn block(
             let aim = adaptive::Aim { error, most };
             adaptive::adaptive(block, aim, filter, options.seed, &contrast, sample)
         }
+        // The first round of many (`super::budget`).
         Some(Sampling::Budget { filter, .. }) => {
             even(block, Turns { first: 0, count: 1 }, filter, options.seed, sample)
         }
@@ -105,8 +106,9 @@ impl Contrast {
 
     /// How bright a sample is seen, as much as a screen shows of it; transmit counts like light.
     fn brightness(&self, color: Sample) -> f32 {
-        let [red, green, blue] = std::array::from_fn(|i| self.perceived(color[i]).clamp(0.0, 1.0));
-        LUMA[0] * red + LUMA[1] * green + LUMA[2] * blue + color[3]
+        let [red, green, blue, transmit] = self.seen(color).perceived;
+        let shown = [red, green, blue].map(|component| component.clamp(0.0, 1.0));
+        LUMA[0] * shown[0] + LUMA[1] * shown[1] + LUMA[2] * shown[2] + transmit
     }
 }
 

@@ -1,7 +1,7 @@
 //! `povista compare`: the same scene by both programs.
 
 use std::env;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
@@ -26,7 +26,6 @@ pub(super) fn compare(arguments: &Compare, out: &mut dyn Write) -> Result<(), Fa
             Problem::new("no scene to compare").help("name one: `povista compare scene.pov`")
         })?;
     let scene = &existing(scene)?;
-    // Better to know now that there is no POV-Ray than after an hour.
     if arguments.look.aa.is_some_and(|aa| aa.threshold().is_none()) {
         return Err(Problem::new("POV-Ray has no such antialiasing")
             .help("give `--aa` a threshold, such as 0.3")
@@ -37,13 +36,8 @@ pub(super) fn compare(arguments: &Compare, out: &mut dyn Write) -> Result<(), Fa
             "install POV-Ray (Debian: `apt install povray povray-includes`), or name it with `--povray`",
         )
     };
-    Command::new(&arguments.povray)
-        .arg("--version")
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status()
-        .map_err(absent)?;
+    // Better to know now that there is no POV-Ray than after an hour.
+    try_to_run(&arguments.povray).map_err(absent)?;
     let folder = tempfile::tempdir()
         .map_err(|error| Problem::new(format!("cannot make a temporary folder: {error}")))?;
     let povista =
@@ -79,6 +73,16 @@ pub(super) fn compare(arguments: &Compare, out: &mut dyn Write) -> Result<(), Fa
         writeln!(out, "ours, theirs and the heat map side by side: {}", path.display())?;
     }
     Ok(())
+}
+
+/// Whether there is a program that can be asked for its version, whatever it answers.
+///
+/// # Errors
+/// It cannot be started.
+pub(super) fn try_to_run(program: &Path) -> io::Result<()> {
+    let mut command = Command::new(program);
+    command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().map(|_| ())
 }
 
 /// The options both programs get, in POV-Ray's words.

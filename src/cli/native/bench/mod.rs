@@ -73,7 +73,7 @@ pub(super) fn bench(
                 Some(filter) => &ours.reference(filter, &references)?,
                 None => &box_reference,
             };
-            let point = ours.measure(&way, reference)?;
+            let point = ours.measure(&way, reference);
             centres.get_or_insert(point.seconds);
             add(point)?;
         }
@@ -93,7 +93,7 @@ pub(super) fn bench(
     Ok(())
 }
 
-/// How much sooner the adaptive way reaches the error of POV-Ray's best antialiasing.
+/// How much sooner one of povista's ways reaches the error of POV-Ray's best antialiasing.
 fn tell_best(points: &[Point], out: &mut dyn Write) -> std::io::Result<()> {
     let theirs = points.iter().filter(|point| point.family.starts_with("POV-Ray"));
     let Some(best) = theirs.min_by(|a, b| a.rmse.total_cmp(&b.rmse)) else { return Ok(()) };

@@ -68,10 +68,7 @@ impl Ours {
     }
 
     /// Measures a way; the least time of three if it is short.
-    ///
-    /// # Errors
-    /// Never.
-    pub(super) fn measure(&self, way: &Way, reference: &Shown) -> Result<Point, Failure> {
+    pub(super) fn measure(&self, way: &Way, reference: &Shown) -> Point {
         let (rendered, mut seconds) = self.render(way);
         let rounds =
             if seconds < SHORT && !matches!(way.sampling, Some(Sampling::Budget { .. })) { 2 } else { 0 };
@@ -80,7 +77,7 @@ impl Ours {
         }
         let pixels = f64::from(self.options.width) * f64::from(self.options.height);
         let samples = rendered.statistics.samples as f64 / pixels;
-        Ok(point(&self.name, way, (seconds, Some(samples)), &self.shown(&rendered), reference))
+        point(&self.name, way, (seconds, Some(samples)), &self.shown(&rendered), reference)
     }
 
     fn shown(&self, rendered: &Rendered) -> Shown {

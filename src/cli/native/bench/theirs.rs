@@ -10,6 +10,7 @@ use super::ours::{Ours, keep};
 use super::ways::Way;
 use super::{Point, point};
 use crate::cli::failure::Failure;
+use crate::cli::native::compare::try_to_run;
 use crate::cli::problem::Problem;
 use crate::options::AntialiasMethod;
 
@@ -24,9 +25,7 @@ pub(super) struct Theirs {
 impl Theirs {
     /// The program, if it runs.
     pub(super) fn find(program: &Path) -> Option<Self> {
-        let mut command = Command::new(program);
-        command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-        command.status().is_ok().then(|| Self { program: program.to_owned() })
+        try_to_run(program).is_ok().then(|| Self { program: program.to_owned() })
     }
 
     /// Renders a picture of a size and gives its colours and the processor seconds of tracing.
