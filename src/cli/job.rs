@@ -6,7 +6,7 @@ use super::Problem;
 use super::animation::{Animation, Frame};
 use super::output::{Dither, Encoding, Format, Place};
 use super::restrictions::{self, Restrictions};
-use super::settings::{Kind, Name, Settings};
+use super::settings::{Kind, Name, Settings, Value};
 use super::shellout::Shellouts;
 use crate::math::Gamma;
 use crate::options::{Antialias, AntialiasMethod, Clock, LanguageOptions, Region, RenderOptions};
@@ -26,6 +26,8 @@ const SMALLEST_BLOCK: i32 = 4;
 pub struct Job {
     /// The scene as the user named it.
     pub input: String,
+    /// The scene itself where it is no file but comes with the program.
+    pub text: Option<&'static str>,
     /// What the interpreter may see; each frame has a clock of its own.
     pub language: LanguageOptions,
     /// How each picture is made.
@@ -104,10 +106,25 @@ impl Job {
             warnings,
             exact_output: false,
             output_name: settings.text(Name::OutputFileName).map(str::to_owned),
+            text: None,
             input,
         };
         job.permissions = restrictions.files.unwrap_or_else(|| job.default_permissions());
         Ok(job)
+    }
+
+    /// A job whose scene comes with the program, under a name for reports.
+    ///
+    /// # Errors
+    /// Those of [`Job::new`].
+    pub fn of_text(
+        name: &str,
+        text: &'static str,
+        settings: &mut Settings,
+        restrictions: Restrictions,
+    ) -> Result<Self, Problem> {
+        settings.set(Name::InputFileName, Value::Text(name.to_owned()));
+        Ok(Self { text: Some(text), ..Self::new(settings, restrictions)? })
     }
 
     /// What scenes may write unless the user has rules: files in the current folder, in the scene's, and in that

@@ -55,7 +55,8 @@ fn speaks_povray(words: &[String]) -> bool {
     let own = |word: &String| word.len() > 2 && word.starts_with("--");
     let command = words.first().is_some_and(|word| native::COMMANDS.contains(&word.as_str()));
     let version = matches!(words, [word] if word == "-V");
-    !command && !version && !words.iter().any(own) && words.iter().any(|word| povray::is_povray(word))
+    povray::asks_for_benchmark(words)
+        || !command && !version && !words.iter().any(own) && words.iter().any(|word| povray::is_povray(word))
 }
 
 #[cfg(test)]
@@ -66,9 +67,16 @@ mod tests {
     fn a_command_line_is_told_by_its_words() {
         let speaks =
             |line: &str| speaks_povray(&line.split_whitespace().map(str::to_owned).collect::<Vec<_>>());
-        for line in
-            ["+Ia.pov", "a.pov +W640", "a.pov -D", "quick.ini a.pov", "Width=3 a.pov", "-A0.3 a.pov", "+ZZ"]
-        {
+        for line in [
+            "+Ia.pov",
+            "a.pov +W640",
+            "a.pov -D",
+            "quick.ini a.pov",
+            "Width=3 a.pov",
+            "-A0.3 a.pov",
+            "+ZZ",
+            "--benchmark",
+        ] {
             assert!(speaks(line), "{line}");
         }
         for line in [

@@ -36,6 +36,11 @@ pub(super) fn scene(
 /// There is no such file.
 pub(super) fn open(job: &Job) -> Result<(FileId, Sources), Problem> {
     let permissions = job.permissions.clone();
+    if let Some(text) = job.text {
+        let mut sources = Sources::new(Library { permissions, ..Library::default() });
+        let main = sources.add(Source::new(&job.input, "", text.into()));
+        return Ok((main, sources));
+    }
     if job.input == STDIN {
         let mut bytes = Vec::new();
         std::io::stdin()

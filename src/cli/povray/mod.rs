@@ -1,5 +1,6 @@
 //! POV-Ray's own command line: switches, options, INI files, and the console its users know.
 
+mod benchmark;
 mod console;
 mod ini;
 mod lookup;
@@ -10,6 +11,7 @@ mod wrap;
 
 use std::io::Write;
 
+pub(super) use benchmark::is_asked as asks_for_benchmark;
 pub use lookup::Environment;
 pub use words::{is_povray, read};
 
@@ -40,6 +42,7 @@ Usage: povray [+/-SWITCH ...] [Option=value ...] [FILE.ini[section] ...] SCENE.p
   +Lpath  library path     +Kx     clock                 +KFIn +KFFn +KIx +KFx  animation
   +UA     store alpha      -F      no output file        +GIname  write these options as an INI file
 
+  --benchmark | -benchmark     render the built-in scene, store nothing, tell the time
   --version | -version | --V   print the version
   --help | -help | -h | -?     print this text
 ";
@@ -58,6 +61,9 @@ pub(super) fn main(words: &[String], err: &mut (dyn Write + Send)) -> u8 {
         return exit::SUCCESS;
     }
     let _ = err.write_all(VERSION.as_bytes());
+    if asks_for_benchmark(words) {
+        let _ = err.write_all(benchmark::GREETING.as_bytes());
+    }
     let read = job(words).and_then(|(settings, job)| {
         let first = job.animation.frames().next().and_then(|frame| job.place(&frame));
         let files = Files::open(&settings, console::folder(first.as_ref()))?;
@@ -90,6 +96,9 @@ pub(super) fn main(words: &[String], err: &mut (dyn Write + Send)) -> u8 {
 /// # Errors
 /// A word, an INI file or a value is wrong.
 pub(super) fn job(words: &[String]) -> Result<(Settings, Job), Problem> {
+    if asks_for_benchmark(words) {
+        return benchmark::job(words);
+    }
     let environment = Environment::of_process();
     let mut settings = Settings::default();
     environment.read(&mut settings)?;
