@@ -148,7 +148,7 @@ impl<'a> TextureCompiler<'a> {
         self.uses_subsurface |= finish.subsurface.is_some();
         let pigment = self.pigment(&layer.pigment)?;
         let normal = layer.normal.as_ref().map(|normal| self.normal(normal)).transpose()?;
-        Ok(Layer { pigment, normal, finish })
+        Ok(Layer { pigment, normal: normal.filter(|normal| !normal.is_flat()), finish })
     }
 
     /// Compiles the entries of a map.

@@ -140,6 +140,18 @@ fn turbulence_without_an_amount_is_not_evaluated() {
 }
 
 #[test]
+fn bumps_without_a_height_are_not_made() {
+    for normal in
+        ["bumps 0", "granite 0", "wrinkles bump_size 0", "gradient y 0 slope_map{[0 <0,1>][1 <1,0>]}"]
+    {
+        let counts = wall(&format!("pigment{{rgb 1}} normal{{{normal}}}"));
+        assert_eq!((counts.bumps, counts.vector_noise, counts.noise), (0, 0, 0), "{normal}");
+    }
+    // Facets are flat pieces of a size, whatever their height.
+    assert_eq!(wall("pigment{rgb 1} normal{facets 0 size 1}").bumps, 192);
+}
+
+#[test]
 fn what_has_no_weight_is_not_evaluated() {
     let low = "gradient z scale 100";
     for texture in [

@@ -50,6 +50,16 @@ const PROBES: [DVec3; 4] = [
 ];
 
 impl Normal {
+    /// Whether surfaces stay as they are: the bumps have no height.
+    pub fn is_flat(&self) -> bool {
+        let bumps = match &self.kind {
+            NormalKind::Pattern(pattern) => !matches!(pattern.formula, Formula::Facets(_)),
+            NormalKind::Slopes(..) | NormalKind::Bumps(..) => true,
+            NormalKind::Normals(..) | NormalKind::Average(..) | NormalKind::UvMapped(_) => false,
+        };
+        bumps && self.amount == 0.0
+    }
+
     /// The normal `n` of the sample's space, bent: the whole block, into the pattern's space and back.
     /// Unit unless `no_bump_scale` of this block or, as `raw`, of one around it.
     pub fn bend(&self, sample: &Sample, n: DVec3, raw: bool) -> DVec3 {
