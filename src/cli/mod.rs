@@ -25,6 +25,8 @@ use std::path::Path;
 pub use problem::Problem;
 pub use stop::stop;
 
+use crate::math::pages;
+
 /// Runs the program and returns its exit code.
 ///
 /// Words of POV-Ray's command line are read as POV-Ray reads them, and so is everything when the program's
@@ -34,6 +36,7 @@ pub fn main(
     out: &mut (dyn Write + Send),
     err: &mut (dyn Write + Send),
 ) -> u8 {
+    pages::small();
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let program = arguments.first().map(|program| Path::new(program).file_stem().unwrap_or_default());
     let is_povray = program.is_some_and(|program| program.eq_ignore_ascii_case("povray"));

@@ -1,7 +1,8 @@
 //! What is finished of a picture that isn't: the file `NAME.pov-state` (docs/spec/camera-image.md 21).
 //!
-//! It appears when a rendering begins, grows with each block and goes when the picture is there. After a
-//! stop, however sudden, `+C` takes the blocks from it and renders only the others.
+//! It appears when a rendering begins, grows with its blocks and goes when the picture is there. After a
+//! stop, however sudden, `+C` takes the blocks from it and renders only the others. A moment's work may be
+//! lost: blocks that are soon finished are written together, and those of a quick rendering never.
 //!
 //! The file is povista's own, not POV-Ray's: a line of text, a number that tells which picture it belongs
 //! to, then records of a block's place, its pixels as they come from the renderer, and a checksum.
@@ -12,6 +13,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 use rustc_hash::FxHasher;
 
@@ -27,6 +29,9 @@ const PLACE: usize = 16;
 const PIXEL: usize = 16;
 const CHECKSUM: usize = 8;
 
+/// How long finished blocks may wait to be written.
+const MOMENT: Duration = Duration::from_millis(100);
+
 /// A block: first and last column and row, as the file says it.
 type Place = [u32; 4];
 
@@ -41,6 +46,33 @@ struct Inner {
     file: Option<File>,
     /// Blocks of an earlier run that nobody has asked for yet.
     known: HashMap<Place, Vec<Sample>>,
+    /// Finished blocks that are yet to be written.
+    waiting: Vec<(Place, Vec<Sample>)>,
+    /// When blocks were last written.
+    written: Instant,
+}
+
+impl Inner {
+    /// Writes what waits; what doesn't fit on the disk is rendered again another time.
+    fn write(&mut self) {
+        for (place, pixels) in self.waiting.drain(..) {
+            let Some(file) = &mut self.file else { break };
+            let mut record = Vec::with_capacity(PLACE + pixels.len() * PIXEL + CHECKSUM);
+            place.iter().for_each(|edge| record.extend_from_slice(&edge.to_le_bytes()));
+            pixels.iter().flatten().for_each(|channel| record.extend_from_slice(&channel.to_le_bytes()));
+            record.extend(checksum(&record).to_le_bytes());
+            if file.write_all(&record).is_err() {
+                self.file = None;
+            }
+        }
+        self.written = Instant::now();
+    }
+}
+
+impl Drop for Inner {
+    fn drop(&mut self) {
+        self.write();
+    }
 }
 
 /// What became of an earlier run's file.
@@ -105,7 +137,8 @@ impl State {
             file.write_all(HEAD)?;
             file.write_all(&fingerprint.to_le_bytes())?;
         }
-        Ok((Self { path, inner: Mutex::new(Inner { file: Some(file), known }) }, found))
+        let inner = Inner { file: Some(file), known, waiting: Vec::new(), written: Instant::now() };
+        Ok((Self { path, inner: Mutex::new(inner) }, found))
     }
 
     /// The pixels of a block that an earlier run finished.
@@ -113,15 +146,12 @@ impl State {
         self.lock().known.remove(&place(block))
     }
 
-    /// Adds a finished block; what doesn't fit on the disk is rendered again another time.
+    /// Adds a finished block.
     pub(super) fn add(&self, block: &Region, pixels: &[Sample]) {
-        let mut record = Vec::with_capacity(PLACE + pixels.len() * PIXEL + CHECKSUM);
-        place(block).iter().for_each(|edge| record.extend_from_slice(&edge.to_le_bytes()));
-        pixels.iter().flatten().for_each(|channel| record.extend_from_slice(&channel.to_le_bytes()));
-        record.extend(checksum(&record).to_le_bytes());
         let mut inner = self.lock();
-        if inner.file.as_mut().is_some_and(|file| file.write_all(&record).is_err()) {
-            inner.file = None;
+        inner.waiting.push((place(block), pixels.to_vec()));
+        if inner.written.elapsed() >= MOMENT {
+            inner.write();
         }
     }
 
@@ -132,6 +162,7 @@ impl State {
 
     /// Removes the file: the picture is there.
     pub(super) fn finish(self) {
+        self.lock().waiting.clear();
         // A state that stays is of no harm: it is replaced or continued by the next run.
         let _ = std::fs::remove_file(&self.path);
     }

@@ -1,11 +1,12 @@
 //! Keeps a run within the memory it may use.
 
 use super::{Result, Vm};
+use crate::math::pages;
 use crate::source::Span;
 use memory_stats::memory_stats;
 
 /// How much may be added before it is looked at how much there is.
-const UNNOTICED: usize = 16 << 20;
+const UNNOTICED: usize = pages::MANY;
 
 /// Bytes that are made in the time of a step.
 const BYTES_A_STEP: u64 = 64;
@@ -32,6 +33,7 @@ impl Vm<'_> {
     /// The same, whenever it is time to look.
     pub(super) fn check_memory(&mut self, bytes: usize, span: Span) -> Result<()> {
         self.added = 0;
+        pages::huge();
         let used = used().saturating_sub(self.memory_before);
         if used.saturating_add(bytes as u64) <= self.options.max_memory {
             return Ok(());

@@ -8,6 +8,7 @@ pub mod gamma;
 pub mod hyperbolic;
 pub mod lanes;
 pub mod noise;
+pub mod pages;
 pub mod roots;
 pub mod spline;
 pub mod tally;

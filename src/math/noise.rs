@@ -180,9 +180,10 @@ impl Octaves {
     }
 }
 
-/// Entry `index` of the lattice hash table, 0 … 4095; indices wrap.
-pub fn hash(index: i32) -> i32 {
-    i32::from(HASH[(index & 4095) as usize])
+/// The lattice hash table: 4096 numbers 0 … 4095, twice.
+#[inline]
+pub fn hashes() -> &'static [u16; HASH_SIZE] {
+    &HASH
 }
 
 /// Hash of a cell's three integer coordinates, 0 … 4095 (docs/spec/patterns-textures.md 1.2).

@@ -13,12 +13,19 @@ use crate::world::hit::Hit;
 const GLOBAL: usize = 0;
 
 impl Tracer<'_> {
+    /// Whether anything but clear air may be on a path that ends at a hit, or goes on for ever.
+    #[inline]
+    pub(super) fn is_airy(&self, path: &Path, hits: bool) -> bool {
+        let filled = self.world.needs.media && hits && !path.inside.is_empty();
+        self.quality.atmosphere && (filled || !self.world.atmosphere.is_clear())
+    }
+
     /// What the air does to light that comes along a path from `hit`, or from the sky.
     pub(super) fn air(&mut self, path: &Path, hit: Option<&Hit>) -> Veil {
         let world = self.world;
         let filled = world.needs.media && hit.is_some() && !path.inside.is_empty();
         let clear = world.atmosphere.is_clear();
-        if !self.quality.atmosphere || (clear && !filled) || !path.inside.is_hollow(&world.interiors) {
+        if !path.inside.is_hollow(&world.interiors) {
             return Veil::NONE;
         }
         let length = hit.map_or(FAR, |hit| hit.t);

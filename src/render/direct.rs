@@ -55,6 +55,7 @@ impl Tracer<'_> {
     }
 
     /// What a lamp sends to the hit; `None` where it is dark.
+    #[inline]
     fn arrival(&mut self, at: &At, number: u32) -> Option<Arrival> {
         let light = &self.world.lights[number as usize];
         let mut incident = light.reaching(at.surface.point);
@@ -88,8 +89,8 @@ impl Tracer<'_> {
 
     /// The light one lamp makes a layer send to the eye.
     fn lamp(&mut self, at: &At, arrival: &mut Arrival, surface: &Surface, position: DVec3) -> Rgb {
-        let Arrival { light: number, mut incident, unblocked } = *arrival;
-        let light = &self.world.lights[number as usize];
+        let Arrival { light: number, incident, unblocked } = arrival;
+        let light = &self.world.lights[*number as usize];
         let grid = self.illuminating(light);
         let mut back = false;
         if grid.is_none() && !self.facing(at, surface, incident.direction) {
@@ -99,21 +100,18 @@ impl Tracer<'_> {
             }
             back = true;
         }
-        let unblocked = match unblocked {
+        let unblocked = match *unblocked {
             Some(known) => known,
-            None => {
-                let found = self.unblocked(&at.target(), light, &incident);
-                arrival.unblocked = Some(found);
-                found
-            }
+            None => *unblocked.insert(self.unblocked(&at.target(), light, incident)),
         };
         if is_dark(unblocked) {
             return Rgb::ZERO;
         }
-        incident.color = unblocked;
         let answer = match grid {
-            Some(area) => self.illuminate(at, light, area, surface, &incident),
-            None => self.answer(surface, &incident, back, light.shadowless),
+            Some(area) => {
+                self.illuminate(at, light, area, surface, &Incident { color: unblocked, ..*incident })
+            }
+            None => self.answer(surface, incident.direction, unblocked, back, light.shadowless),
         };
         match &surface.finish.irid {
             Some(irid) => {
@@ -134,6 +132,7 @@ impl Tracer<'_> {
     }
 
     /// The grid of a light whose places light one by one.
+    #[inline]
     fn illuminating<'l>(&self, light: &'l Light) -> Option<&'l AreaLight> {
         light.area.as_ref().filter(|area| area.area_illumination && self.quality.area_lights)
     }
@@ -142,11 +141,19 @@ impl Tracer<'_> {
         at.leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || surface.normal.dot(to_light) >= FACING
     }
 
-    /// What a layer makes of light from one place.
-    fn answer(&mut self, surface: &Surface, incident: &Incident, back: bool, shadowless: bool) -> Rgb {
+    /// What a layer makes of the light `color` from one place.
+    #[inline]
+    fn answer(
+        &mut self,
+        surface: &Surface,
+        to_light: DVec3,
+        color: Rgb,
+        back: bool,
+        shadowless: bool,
+    ) -> Rgb {
         let grain = if surface.finish.crand > 0.0 { self.random.next() as f32 } else { 0.0 };
-        let diffuse = surface.diffuse(incident, back, grain);
-        if back || shadowless { diffuse } else { diffuse + surface.highlights(incident) }
+        let diffuse = surface.diffuse(to_light, color, back, grain);
+        if back || shadowless { diffuse } else { diffuse + surface.highlights(to_light, color) }
     }
 
     /// `area_illumination`: what a layer makes of the light from every place of the grid.
@@ -164,11 +171,11 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         for (v, u) in (0..rows).flat_map(|v| (0..columns).map(move |u| (v, u))) {
             let offset = area.offset(axes, (u, v), self.grid_shift(area));
-            let mut incident = light.reaching_from_grid(at.surface.point, offset);
-            incident.color = share * incident.attenuation;
+            let incident = light.reaching_from_grid(at.surface.point, offset);
+            let color = share * incident.attenuation;
             let facing = self.facing(at, surface, incident.direction);
             if facing || surface.finish.diffuse_back > 0.0 {
-                sum += self.answer(surface, &incident, !facing, light.shadowless);
+                sum += self.answer(surface, incident.direction, color, !facing, light.shadowless);
             }
         }
         sum

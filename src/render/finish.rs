@@ -5,7 +5,6 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::math::noise::Octaves;
 use crate::math::{DVec3, Rgb};
-use crate::world::light::Incident;
 use crate::world::texture::Finish;
 use crate::world::texture::Irid;
 
@@ -30,32 +29,36 @@ pub(super) struct Surface<'a> {
 }
 
 impl Surface<'_> {
-    /// Light scattered towards the eye, from the front or through from the back.
-    pub(super) fn diffuse(&self, incident: &Incident, back: bool, grain: f32) -> Rgb {
+    /// What of the light `color` from some direction is scattered towards the eye, from the front or
+    /// through from the back.
+    #[inline]
+    pub(super) fn diffuse(&self, to_light: DVec3, color: Rgb, back: bool, grain: f32) -> Rgb {
         let share = if back { self.finish.diffuse_back } else { self.finish.diffuse };
         if share <= 0.0 {
             return Rgb::ZERO;
         }
-        let cosine = self.normal.dot(incident.direction).abs();
+        let cosine = self.normal.dot(to_light).abs();
         let brilliance = f64::from(self.finish.brilliance);
         let lobe = if brilliance == 1.0 { cosine } else { cosine.powf(brilliance) };
         let strength = share * lobe as f32 * self.opacity - self.finish.crand * grain;
-        self.color * incident.color * strength
+        self.color * color * strength
     }
 
-    /// The phong and specular highlights.
-    pub(super) fn highlights(&self, incident: &Incident) -> Rgb {
-        let strength = self.phong(incident.direction) + self.specular(incident.direction);
+    /// The phong and specular highlights of light from some direction.
+    #[inline]
+    pub(super) fn highlights(&self, to_light: DVec3, color: Rgb) -> Rgb {
+        let strength = self.phong(to_light) + self.specular(to_light);
         if strength == 0.0 {
             return Rgb::ZERO;
         }
         let tint = match self.finish.metallic {
             0.0 => Rgb::ONE,
-            amount => metallic(amount, self.color, self.normal.dot(incident.direction)),
+            amount => metallic(amount, self.color, self.normal.dot(to_light)),
         };
-        incident.color * tint * strength as f32
+        color * tint * strength as f32
     }
 
+    #[inline]
     fn phong(&self, to_light: DVec3) -> f64 {
         if self.finish.phong <= 0.0 {
             return 0.0;
@@ -66,6 +69,7 @@ impl Surface<'_> {
         if visible { f64::from(self.finish.phong) * cosine.powf(f64::from(size)) } else { 0.0 }
     }
 
+    #[inline]
     fn specular(&self, to_light: DVec3) -> f64 {
         if self.finish.specular <= 0.0 {
             return 0.0;

@@ -1,15 +1,28 @@
 //! Pixels through a lens (docs/spec/camera-image.md 8.4).
 
+use std::sync::LazyLock;
+
 use super::Eye;
 use super::jitter::jitter;
 use super::sampling::Sample;
 use super::trace::Tracer;
 use crate::math::DVec2;
-use crate::math::noise::hash;
+use crate::math::noise::hashes;
 use crate::world::camera::{FocalBlur, film};
 
 /// Sub-pixel places along an axis.
-const PLACES: i32 = 16;
+const PLACES: usize = 16;
+
+/// Where rays go through a pixel, by the numbers of the place from the left and from the top.
+static SHIFTS: LazyLock<[[DVec2; PLACES]; PLACES]> = LazyLock::new(|| {
+    let place = |number: usize| (2 * number + 1) as f64 / (2 * PLACES) as f64 - 0.5;
+    std::array::from_fn(|left| {
+        std::array::from_fn(|top| {
+            let (x, y) = (place(left), place(top));
+            DVec2::new(x, y) + (jitter(x, y) - 0.5) / PLACES as f64
+        })
+    })
+});
 
 /// Sums of samples and of their squares.
 #[derive(Default)]
@@ -43,33 +56,27 @@ impl Eye<'_> {
     /// The colour and transmit at image coordinates, through the lens.
     pub(super) fn through_lens(&self, tracer: &mut Tracer, blur: &FocalBlur, x: f64, y: f64) -> Sample {
         let seed = ((313.0 * x + 11.0) as i32).wrapping_add((311.0 * y + 17.0) as i32);
+        let shifts = &*SHIFTS;
+        let hashes = hashes();
+        let place = |number: i32| usize::from(hashes[(number & 4095) as usize]) % PLACES;
         let mut sums = Sums::default();
         for batch in 0.. {
             let end = blur.max_samples().min(sums.count + blur.batch(batch));
             while sums.count < end {
-                sums.add(self.lens_sample(tracer, blur, x, y, seed, sums.count));
+                let number = seed.wrapping_add(sums.count as i32);
+                let shift = shifts[place(number)][place(number.wrapping_add(1))];
+                sums.add(self.lens_sample(tracer, blur, x + shift.x, y + shift.y, sums.count));
             }
-            if end == blur.max_samples() || blur.is_enough(sums.count, sums.variances()) {
+            if end == blur.max_samples() || blur.is_enough(sums.count, || sums.variances()) {
                 break;
             }
         }
         sums.mean()
     }
 
-    fn lens_sample(
-        &self,
-        tracer: &mut Tracer,
-        blur: &FocalBlur,
-        x: f64,
-        y: f64,
-        seed: i32,
-        index: usize,
-    ) -> Sample {
-        let number = seed.wrapping_add(index as i32);
-        let place = |number: i32| f64::from(2 * (hash(number) % PLACES) + 1) / 32.0 - 0.5;
-        let mut shift = DVec2::new(place(number), place(number.wrapping_add(1)));
-        shift += (jitter(shift.x, shift.y) - 0.5) / f64::from(PLACES);
-        let (x, y) = (x + shift.x, y + shift.y);
+    /// What ray `index` sees that goes through the lens and image coordinates.
+    #[inline]
+    fn lens_sample(&self, tracer: &mut Tracer, blur: &FocalBlur, x: f64, y: f64, index: usize) -> Sample {
         let place = film(x, y, self.options.width, self.options.height);
         let Some(projected) = self.world.camera.projection.project(place) else {
             return [0.0; 4];

@@ -24,7 +24,7 @@ pub(super) struct At<'a> {
     /// The ray that met it.
     pub(super) path: &'a Path,
     /// Where.
-    pub(super) surface: Intersection,
+    pub(super) surface: &'a Intersection,
     /// What.
     pub(super) leaf: &'a Leaf,
     /// What the filling takes of light that came through it to the surface.
@@ -40,7 +40,7 @@ pub(super) struct At<'a> {
 impl At<'_> {
     /// What lamps shine on.
     pub(super) fn target(&self) -> Target<'_> {
-        Target { surface: &self.surface, inside: &self.path.inside, among: None }
+        Target { surface: self.surface, inside: &self.path.inside, among: None }
     }
 }
 
@@ -68,7 +68,7 @@ pub(super) struct Onward {
 }
 
 /// The reflection of a layer, traced after all layers.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Mirror {
     normal: DVec3,
     share: Rgb,
@@ -106,8 +106,8 @@ struct Stack {
     through: Rgb,
     /// Its grey.
     share: f32,
-    /// The topmost layer's normal and film.
-    top: Option<(DVec3, Option<Irid>)>,
+    /// The topmost layer's normal.
+    top: Option<DVec3>,
 }
 
 impl Tracer<'_> {
@@ -117,7 +117,7 @@ impl Tracer<'_> {
         let surface = world.geometry.surface(&path.ray, hit);
         let leaf = world.geometry.parts().leaf(hit.leaf);
         let interior = &world.interiors[leaf.interior as usize];
-        let fade = interior.fade.filter(|_| path.inside.contains(leaf.interior));
+        let fade = interior.fade.as_ref().filter(|_| path.inside.contains(leaf.interior));
         let fading = fade.map_or(Rgb::ONE, |fade| fade.attenuation(hit.t));
         let attenuation = fading * interior.refraction;
         if leaf.flags.contains(LeafFlags::INVISIBLE) && self.quality.transmission && !self.quality.flat {
@@ -133,12 +133,19 @@ impl Tracer<'_> {
                 return Shaded { color: Rgb::ZERO, transmit: 0.0, onward: Some(onward) };
             }
         }
+        let surface = &surface;
         let mut at = At { path, surface, leaf, attenuation, passage: None, plain: false, arrivals: None };
         let mut sum = Sum::default();
-        textures::resolve(world, &path.ray, hit, &surface, &mut |weight, layers, sample| {
+        if let Some(layers) = textures::layers(world, leaf, surface) {
             self.statistics.texture_evaluations += 1;
-            self.texture(&mut at, weight, layers, sample, &mut sum);
-        });
+            let mut sample = textures::sample(world, &path.ray, hit, surface);
+            self.texture(&mut at, 1.0, layers, &mut sample, &mut sum);
+        } else {
+            textures::resolve(world, &path.ray, hit, surface, &mut |weight, layers, sample| {
+                self.statistics.texture_evaluations += 1;
+                self.texture(&mut at, weight, layers, sample, &mut sum);
+            });
+        }
         if let Some(arrivals) = at.arrivals {
             self.arrivals.truncate(arrivals.start);
         }
@@ -156,34 +163,54 @@ impl Tracer<'_> {
     fn texture(&mut self, at: &mut At, blend: f32, layers: &[Layer], sample: &mut Sample, sum: &mut Sum) {
         at.plain = blend == 1.0 && layers.len() == 1;
         let bailout = self.world.settings.adc_bailout;
-        let first_mirror = self.mirrors.len();
         let mut stack = Stack { color: Rgb::ZERO, through: Rgb::ONE, share: 1.0, top: None };
-        for layer in layers.iter().rev() {
-            if stack.share <= bailout {
-                break;
+        let first_mirror = self.mirrors.len();
+        // Most textures have one layer, the mirror of which need not be kept for later.
+        let mut mirror = None;
+        if let [only] = layers {
+            if bailout < 1.0 {
+                mirror = self.layer(at, only, sample, &mut stack);
             }
-            self.layer(at, layer, sample, &mut stack);
+        } else {
+            for layer in layers.iter().rev() {
+                if stack.share <= bailout {
+                    break;
+                }
+                let mirror = self.layer(at, layer, sample, &mut stack);
+                self.mirrors.extend(mirror);
+            }
         }
         let mut suppressed = None;
         if self.quality.transmission && stack.share > bailout {
-            suppressed = self.behind(at, blend, &stack, sum);
+            let irid = layers.last().and_then(|layer| layer.finish.irid);
+            suppressed = self.behind(at, blend, &stack, irid, sum);
         }
         sum.color += blend * stack.color;
+        let seen = |mirror: &Mirror| suppressed.is_none_or(|top| !mirror.normal.abs_diff_eq(top, 1e-10));
+        if let Some(mirror) = mirror.as_ref().filter(|mirror| seen(mirror)) {
+            sum.color += blend * self.reflection(at, mirror);
+        }
         for index in first_mirror..self.mirrors.len() {
-            let mirror = self.mirrors[index];
-            if suppressed.is_none_or(|top| !mirror.normal.abs_diff_eq(top, 1e-10)) {
+            let mirror = self.mirrors[index].clone();
+            if seen(&mirror) {
                 sum.color += blend * self.reflection(at, &mirror);
             }
         }
         self.mirrors.truncate(first_mirror);
     }
 
-    /// Adds the light of a layer to those above it.
-    fn layer(&mut self, at: &mut At, layer: &Layer, sample: &mut Sample, stack: &mut Stack) {
+    /// Adds the light of a layer to those above it; what it mirrors is left to be traced.
+    fn layer(
+        &mut self,
+        at: &mut At,
+        layer: &Layer,
+        sample: &mut Sample,
+        stack: &mut Stack,
+    ) -> Option<Mirror> {
         let finish: &Finish = &layer.finish;
         let direction = at.path.ray.direction;
         let normal = if self.quality.reflection { layer.bend(sample) } else { sample.normal };
-        stack.top.get_or_insert((normal, finish.irid));
+        stack.top.get_or_insert(normal);
         let given = layer.pigment.color(sample);
         let color = given.unwrap_or(Rgbft::new([1.0, 1.0, 1.0, 0.0, 1.0]));
         if self.quality.flat {
@@ -197,15 +224,13 @@ impl Tracer<'_> {
             stack.color += stack.through * (color.rgb * own * opacity + direct);
         }
         let reflectivity = self.reflectivity(at, finish, normal, color.rgb);
-        if let (Some(reflection), Some(reflectivity)) = (&finish.reflection, reflectivity) {
-            self.mirrors.push(Mirror {
-                normal,
-                share: reflectivity.color,
-                weight: at.path.weight * stack.share * reflectivity.weight,
-                exponent: reflection.exponent.recip(),
-                irid: finish.irid,
-            });
-        }
+        let mirror = finish.reflection.as_ref().zip(reflectivity).map(|(reflection, reflectivity)| Mirror {
+            normal,
+            share: reflectivity.color,
+            weight: at.path.weight * stack.share * reflectivity.weight,
+            exponent: reflection.exponent.recip(),
+            irid: finish.irid,
+        });
         if given.is_some() {
             stack.through *= color.through();
         }
@@ -213,6 +238,7 @@ impl Tracer<'_> {
             stack.through *= (Rgb::ONE - reflectivity.color).min(Rgb::ONE);
         }
         stack.share = grey(stack.through).abs().min(1.0);
+        mirror
     }
 
     /// How much of its own light a layer shows (docs/spec/shading.md 7).
@@ -238,7 +264,14 @@ impl Tracer<'_> {
 
     /// Adds what is seen through a texture; straight ways are only noted, for one ray serves all
     /// members of a blend. The top layer's normal comes back where light is totally reflected.
-    fn behind(&mut self, at: &mut At, blend: f32, stack: &Stack, sum: &mut Sum) -> Option<DVec3> {
+    fn behind(
+        &mut self,
+        at: &mut At,
+        blend: f32,
+        stack: &Stack,
+        irid: Option<Irid>,
+        sum: &mut Sum,
+    ) -> Option<DVec3> {
         let world = self.world;
         let passage =
             at.passage.get_or_insert_with(|| at.path.inside.pass(at.leaf.interior, &world.interiors));
@@ -251,7 +284,7 @@ impl Tracer<'_> {
             sum.weight = sum.weight.max(weight);
             return None;
         }
-        let (normal, irid) = stack.top.unwrap_or((at.surface.normal, None));
+        let normal = stack.top.unwrap_or(at.surface.normal);
         let Passage { ratio, dispersion, .. } = *passage;
         let bent = Bent { normal, irid, weight, left, clear };
         match at.path.wavelength {

@@ -13,6 +13,25 @@ use crate::world::{Intersection, Leaf, Member, Ray, World};
 /// Textures that show together, by number, with their shares.
 type Shares = SmallVec<[(u32, f32); 4]>;
 
+/// The layers that alone show at a hit of a leaf, where it has one texture without patterns.
+#[inline]
+pub(super) fn layers<'w>(world: &'w World, leaf: &Leaf, surface: &Intersection) -> Option<&'w [Layer]> {
+    let number = whole(leaf, surface).filter(|_| leaf.own_textures.is_empty())?;
+    world.textures[number as usize].layers_in_place().filter(|_| world.settings.adc_bailout <= 1.0)
+}
+
+/// What textures may know of a hit of `ray`.
+#[inline]
+pub(super) fn sample<'a>(world: &World, ray: &Ray, hit: &Hit, surface: &Intersection) -> Sample<'a> {
+    let leaf = world.geometry.parts().leaf(hit.leaf);
+    let uv = if world.needs.uv { world.geometry.uv(hit, surface.textured) } else { DVec2::ZERO };
+    let mut sample = Sample::on_surface(surface.textured, surface.normal, ray.direction, uv);
+    if leaf.flags.contains(LeafFlags::UV_MAPPING) {
+        sample.point = uv.extend(0.0);
+    }
+    sample
+}
+
 /// Calls `shade` with the layers of every plain texture at a hit of `ray`, and its share.
 pub(super) fn resolve(
     world: &World,
@@ -22,26 +41,26 @@ pub(super) fn resolve(
     shade: &mut dyn FnMut(f32, &[Layer], &mut Sample),
 ) {
     let leaf = world.geometry.parts().leaf(hit.leaf);
-    let uv = if world.needs.uv { world.geometry.uv(hit, surface.textured) } else { DVec2::ZERO };
-    let sample = Sample::on_surface(surface.textured, surface.normal, ray.direction, uv);
-    let sample = if leaf.flags.contains(LeafFlags::UV_MAPPING) { sample.uv_mapped() } else { sample };
+    let mut sample = sample(world, ray, hit, surface);
     let bailout = world.settings.adc_bailout;
     if let (Some(number), true) = (whole(leaf, surface), leaf.own_textures.is_empty()) {
         // Most leaves show one texture.
         if bailout <= 1.0 {
-            world.textures[number as usize].resolve(&sample, shade);
+            world.textures[number as usize].resolve(&mut sample, shade);
         }
         return;
     }
     for (number, share) in shares(world, leaf, hit, surface) {
         if share >= bailout {
             let texture = &world.textures[number as usize];
-            texture.resolve(&sample, &mut |weight, layers, sample| shade(share * weight, layers, sample));
+            let mut sample = sample;
+            texture.resolve(&mut sample, &mut |weight, layers, sample| shade(share * weight, layers, sample));
         }
     }
 }
 
 /// The texture of a leaf as a whole.
+#[inline]
 fn whole(leaf: &Leaf, surface: &Intersection) -> Option<u32> {
     leaf.interior_texture.filter(|_| surface.inside).or(leaf.texture)
 }

@@ -11,7 +11,7 @@ use super::stats::Statistics;
 use super::{Progress, Rendered};
 use crate::options::{Region, RenderOptions};
 
-/// Stack of a rendering thread: the ray tree is at most 256 levels deep.
+/// Stack of a thread that renders: the ray tree is at most 256 levels deep.
 const STACK: usize = 64 << 20;
 
 /// Renders every block of the picture with `render`, which gives the colours of a block's pixels
@@ -25,32 +25,36 @@ pub(super) fn render(
     let total = options.region.area();
     let done = AtomicU64::new(0);
     let finished = Mutex::new((Image::new(options.width, options.height), Statistics::default()));
-    let work = || {
-        blocks.par_iter().with_max_len(1).for_each(|block| {
-            let (pixels, statistics) = match progress.known(block) {
-                Some(pixels) => (pixels, Statistics::default()),
-                None => {
-                    let rendered = render(block);
-                    progress.keep(block, &rendered.0);
-                    rendered
-                }
-            };
-            if let Ok(mut finished) = finished.lock() {
-                paste(&mut finished.0, block, &pixels);
-                finished.1 += statistics;
+    let work = |block: &Region| {
+        let (pixels, statistics) = match progress.known(block) {
+            Some(pixels) => (pixels, Statistics::default()),
+            None => {
+                let rendered = render(block);
+                progress.keep(block, &rendered.0);
+                rendered
             }
-            let before = done.fetch_add(block.area(), Ordering::Relaxed);
-            progress.advance(before + block.area(), total);
-        });
+        };
+        if let Ok(mut finished) = finished.lock() {
+            paste(&mut finished.0, block, &pixels);
+            finished.1 += statistics;
+        }
+        let before = done.fetch_add(block.area(), Ordering::Relaxed);
+        progress.advance(before + block.area(), total);
     };
-    let mut builder = rayon::ThreadPoolBuilder::new().stack_size(STACK);
-    if let Some(threads) = options.threads {
-        builder = builder.num_threads(threads);
-    }
-    match builder.build() {
-        Ok(pool) => pool.install(work),
-        // No threads to be had: the caller's own pool is slower, not different.
-        Err(_) => work(),
+    if options.threads == Some(1) {
+        // The thread that waits may as well work.
+        stacker::grow(STACK, || blocks.iter().for_each(work));
+    } else {
+        let mut builder = rayon::ThreadPoolBuilder::new().stack_size(STACK);
+        if let Some(threads) = options.threads {
+            builder = builder.num_threads(threads);
+        }
+        let all = || blocks.par_iter().with_max_len(1).for_each(work);
+        match builder.build() {
+            Ok(pool) => pool.install(all),
+            // No threads to be had: the caller's own pool is slower, not different.
+            Err(_) => all(),
+        }
     }
     let (image, statistics) = finished.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
     Rendered { image, statistics }

@@ -98,17 +98,20 @@ impl<'w> Tracer<'w> {
         path.level += 1;
         loop {
             let hit = self.world.geometry.hit(&path.ray, Range { min: 0.0, max: reach }, path.kind);
-            let veil = self.air(&path, hit.as_ref());
-            color += left * veil.added;
-            left *= veil.factor;
-            clear *= veil.transmit;
-            let Some(hit) = hit else {
+            if self.is_airy(&path, hit.is_some()) {
+                let veil = self.air(&path, hit.as_ref());
+                color += left * veil.added;
+                left *= veil.factor;
+                clear *= veil.transmit;
+            }
+            // By reference: copying what was only just written would wait for it.
+            let Some(hit) = &hit else {
                 let sky = self.sky(&path);
                 color += left * sky.color;
                 transmit += clear * sky.transmit;
                 break;
             };
-            let shaded = self.shade(&path, &hit);
+            let shaded = self.shade(&path, hit);
             color += left * shaded.color;
             transmit += clear * shaded.transmit;
             let Some(onward) = shaded.onward else { break };

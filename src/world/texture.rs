@@ -92,14 +92,17 @@ impl Texture {
     /// Calls `shade` with every plain texture that shows at the sample, with its share, in the order
     /// POV-Ray shades them (docs/spec/patterns-textures.md 7.2). Shares add up to 1. What `shade`
     /// leaves as the sample's bent normal is what later patterns see.
-    pub fn resolve(&self, sample: &Sample, shade: &mut dyn FnMut(f32, &[Layer], &mut Sample)) {
-        let mut sample = *sample;
-        match &*self.body {
-            TextureBody::Layered { layers, .. } if self.placement.is_empty() => {
-                shade(1.0, layers, &mut sample)
-            }
-            _ => self.walk(1.0, &mut sample, shade),
+    pub fn resolve(&self, sample: &mut Sample, shade: &mut dyn FnMut(f32, &[Layer], &mut Sample)) {
+        match self.layers_in_place() {
+            Some(layers) => shade(1.0, layers, sample),
+            None => self.walk(1.0, sample, shade),
         }
+    }
+
+    /// The only layers, where the texture has no pattern and they are to be seen where the sample is.
+    #[inline]
+    pub fn layers_in_place(&self) -> Option<&[Layer]> {
+        self.layers().filter(|_| self.placement.is_empty())
     }
 
     fn walk(&self, weight: f32, sample: &mut Sample, shade: &mut dyn FnMut(f32, &[Layer], &mut Sample)) {
@@ -147,7 +150,7 @@ impl Texture {
     /// blend (docs/spec/patterns-textures.md 7.3).
     pub fn shadow_filter(&self, sample: &Sample) -> Rgb {
         let mut sum = Rgb::ZERO;
-        self.resolve(sample, &mut |weight, layers, sample| {
+        self.resolve(&mut { *sample }, &mut |weight, layers, sample| {
             let colors = layers.iter().filter_map(|layer| layer.pigment.color(sample));
             sum += weight * colors.fold(Rgb::ONE, |passed, color| passed * color.through());
         });
@@ -155,6 +158,7 @@ impl Texture {
     }
 
     /// The only layers, where the texture has no pattern: the same at every sample.
+    #[inline]
     pub fn layers(&self) -> Option<&[Layer]> {
         match &*self.body {
             TextureBody::Layered { layers, .. } => Some(layers),
@@ -224,8 +228,15 @@ impl Layer {
 
     /// The normal to shade with, in the world; unit unless `no_bump_scale` says otherwise.
     /// Updates the sample's bent normal, so that the pigment's `slope` and `aoi` see these bumps.
+    #[inline]
     pub fn bend(&self, sample: &mut Sample) -> DVec3 {
-        let Some(normal) = &self.normal else { return sample.normal };
+        match &self.normal {
+            None => sample.normal,
+            Some(normal) => Self::bent(normal, sample),
+        }
+    }
+
+    fn bent(normal: &Normal, sample: &mut Sample) -> DVec3 {
         // The layer's own place counts as part of the normal block, patterned textures don't; a block
         // that is mapped by uv ignores all its transforms.
         let mapped = matches!(normal.kind, NormalKind::UvMapped(_));

@@ -45,6 +45,9 @@ pub(super) fn encode(
 
 /// The numbers as eight or sixteen bits, big-endian; narrower ones are widened by repeating their bits.
 fn data(samples: &Samples, wide: bool) -> Vec<u8> {
+    if samples.bits == 8 {
+        return samples.bytes();
+    }
     let bits = u32::from(samples.bits);
     let room = if wide { 16 } else { 8 };
     let widened = samples.values.iter().map(|value| {

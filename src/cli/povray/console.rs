@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::streams::{Stream, Streams};
 use crate::cli::Problem;
@@ -20,19 +20,32 @@ use crate::source::Sources;
 /// A line between two parts of the statistics.
 const RULE: &str = "----------------------------------------------------------------------------\n";
 
+/// Milliseconds between two tellings of how much is rendered.
+const BETWEEN: u64 = 20;
+
 /// The console of a run.
 pub(super) struct Console<'w> {
     streams: Mutex<Streams<'w>>,
     verbose: bool,
     /// Percent of the picture last shown.
     shown: AtomicU64,
+    /// When the console began, and how many milliseconds later that was.
+    start: Instant,
+    told: AtomicU64,
     frames: (usize, usize),
 }
 
 impl<'w> Console<'w> {
     /// Begins a run of so many frames.
     pub(super) fn new(streams: Streams<'w>, verbose: bool, frames: usize) -> Self {
-        Self { streams: Mutex::new(streams), verbose, shown: AtomicU64::new(0), frames: (0, frames) }
+        Self {
+            streams: Mutex::new(streams),
+            verbose,
+            shown: AtomicU64::new(0),
+            start: Instant::now(),
+            told: AtomicU64::new(0),
+            frames: (0, frames),
+        }
     }
 
     fn write(&mut self, stream: Stream, text: &str) {
@@ -86,8 +99,14 @@ impl Sink for Console<'_> {
 
 impl Progress for Console<'_> {
     fn advance(&self, done: u64, total: u64) {
+        if !self.verbose {
+            return;
+        }
         let percent = done * 100 / total.max(1);
-        if self.verbose && self.shown.load(Ordering::Relaxed) < percent {
+        let now = self.start.elapsed().as_millis() as u64;
+        let soon = now < self.told.load(Ordering::Relaxed) + BETWEEN && done < total;
+        if !soon && self.shown.load(Ordering::Relaxed) < percent {
+            self.told.store(now, Ordering::Relaxed);
             // Another thread may have told more before this one had the stream.
             let mut streams = self.lock();
             if self.shown.fetch_max(percent, Ordering::Relaxed) < percent {

@@ -41,7 +41,7 @@ struct Grid<'a> {
     light: &'a Light,
     area: &'a AreaLight,
     axes: [DVec3; 2],
-    center: Incident,
+    center: &'a Incident,
 }
 
 impl Tracer<'_> {
@@ -73,7 +73,7 @@ impl Tracer<'_> {
         center: &Incident,
     ) -> Rgb {
         let axes = area.axes_towards(center.direction);
-        let grid = Grid { light, area, axes, center: *center };
+        let grid = Grid { light, area, axes, center };
         let plain = light.projected_through.is_none() && !light.runs_parallel() && !self.dims(light);
         if let (Some(among), true, false) = (at.among, plain, area.plan.shares.is_empty())
             && let Some(origin) = origin(at.surface, light, area, axes)
@@ -148,9 +148,8 @@ impl Tracer<'_> {
 
     /// The light from a place this far from the middle of the grid.
     fn towards(&mut self, at: &Target, grid: &Grid, offset: DVec3) -> Rgb {
-        let mut incident = grid.light.reaching_from_grid(at.surface.point, offset);
-        incident.color = grid.center.color;
-        self.shadow_ray(at, grid.light, &incident)
+        let (direction, distance) = grid.light.way_to_grid(at.surface.point, offset);
+        self.shadow_ray(at, grid.light, &Incident { direction, distance, ..*grid.center })
     }
 
     /// How far a light of a grid is moved, in cells.

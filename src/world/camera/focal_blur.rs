@@ -71,6 +71,7 @@ impl FocalBlur {
     /// The ray of sample `index` for the pinhole direction `direction`, not normalised; `shift` moves
     /// it on the lens, each component from -½ to ½. Wherever the projection's rays start, those of a
     /// lens start at the eye.
+    #[inline]
     pub fn ray(&self, direction: DVec3, index: usize, shift: DVec2) -> Ray {
         let place = self.places[index] + 2.0 * self.spread * shift;
         let offset = place.x * self.axes[0] - place.y * self.axes[1];
@@ -94,9 +95,9 @@ impl FocalBlur {
     }
 
     /// Whether `count` rays with these variances of their mean are enough.
-    pub fn is_enough(&self, count: usize, variances: [f64; 4]) -> bool {
+    pub fn is_enough(&self, count: usize, variances: impl FnOnce() -> [f64; 4]) -> bool {
         count >= self.min_samples as usize
-            && variances.iter().all(|&variance| variance < self.thresholds[count - 1])
+            && variances().iter().all(|&variance| variance < self.thresholds[count - 1])
     }
 }
 

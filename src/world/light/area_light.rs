@@ -77,7 +77,7 @@ fn place(size: [u32; 2], circular: bool, (u, v): (u32, u32), shift: DVec2) -> DV
     }
     let DVec2 { x, y } = place + CIRCULAR_SHIFT;
     // A square ring of the grid becomes a round one.
-    DVec2::new(x, y) * (x.abs().max(y.abs()) / x.hypot(y))
+    DVec2::new(x, y) * (x.abs().max(y.abs()) / DVec2::new(x, y).length())
 }
 
 impl AreaLight {

@@ -96,9 +96,23 @@ impl Light {
 
     /// The light at `point` from a place on the area light's grid.
     pub fn reaching_from_grid(&self, point: DVec3, offset: DVec3) -> Incident {
+        let (location, axis) = self.on_grid(offset);
+        self.reaching_from(point, location, axis)
+    }
+
+    /// The unit direction from `point` to a place on the area light's grid, and how far that is.
+    #[inline]
+    pub fn way_to_grid(&self, point: DVec3, offset: DVec3) -> (DVec3, f64) {
+        let (location, axis) = self.on_grid(offset);
+        self.along(location - point, axis)
+    }
+
+    /// A place on the area light's grid, and where its light goes.
+    #[inline]
+    fn on_grid(&self, offset: DVec3) -> (DVec3, DVec3) {
         let location = self.location + offset;
         let axis = if self.parallel { (self.point_at - location).normalize_or_zero() } else { self.axis };
-        self.reaching_from(point, location, axis)
+        (location, axis)
     }
 
     /// Whether light runs the same way everywhere rather than from a place.
@@ -107,14 +121,23 @@ impl Light {
         self.parallel || matches!(self.kind, Kind::Cylinder(_))
     }
 
+    /// The unit direction against the light, and the distance, for a `way` to where it comes from.
+    #[inline]
+    fn along(&self, way: DVec3, axis: DVec3) -> (DVec3, f64) {
+        if self.runs_parallel() {
+            return (-axis, -way.dot(axis));
+        }
+        let distance = way.length();
+        (if distance > 0.0 { way / distance } else { DVec3::ZERO }, distance)
+    }
+
+    #[inline]
     fn reaching_from(&self, point: DVec3, location: DVec3, axis: DVec3) -> Incident {
         let way = location - point;
-        let (direction, distance) = if self.runs_parallel() {
-            (-axis, -way.dot(axis))
-        } else {
-            let distance = way.length();
-            (if distance > 0.0 { way / distance } else { DVec3::ZERO }, distance)
-        };
+        let (direction, distance) = self.along(way, axis);
+        if matches!(self.kind, Kind::Point) && self.fade.is_none() {
+            return Incident { direction, distance, attenuation: 1.0, color: self.color };
+        }
         let angular = match &self.kind {
             Kind::Point => 1.0,
             Kind::Spotlight(spot) => spot.attenuation(-direction.dot(axis)),
