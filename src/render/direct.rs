@@ -26,7 +26,7 @@ pub(super) struct Arrival {
 
 impl Tracer<'_> {
     /// The light a layer sends to the eye from all lamps.
-    pub(super) fn direct(&mut self, at: &mut At, surface: &Surface, position: DVec3) -> Rgb {
+    pub(super) fn direct(&mut self, at: &mut At, surface: &Surface) -> Rgb {
         let finish = surface.finish;
         // What lets all light pass has highlights only.
         let scatters = (surface.opacity != 0.0 || finish.crand != 0.0)
@@ -41,14 +41,14 @@ impl Tracer<'_> {
             let world = self.world;
             for &number in &world.light_sets[at.leaf.lights as usize] {
                 if let Some(mut arrival) = self.arrival(at, number) {
-                    sum += self.lamp(at, &mut arrival, surface, position);
+                    sum += self.lamp(at, &mut arrival, surface);
                 }
             }
             return sum;
         }
         for index in self.arrivals(at) {
             let mut arrival = self.arrivals[index];
-            sum += self.lamp(at, &mut arrival, surface, position);
+            sum += self.lamp(at, &mut arrival, surface);
             self.arrivals[index] = arrival;
         }
         sum
@@ -88,12 +88,13 @@ impl Tracer<'_> {
     }
 
     /// The light one lamp makes a layer send to the eye.
-    fn lamp(&mut self, at: &At, arrival: &mut Arrival, surface: &Surface, position: DVec3) -> Rgb {
+    #[inline]
+    fn lamp(&mut self, at: &At, arrival: &mut Arrival, surface: &Surface) -> Rgb {
         let Arrival { light: number, incident, unblocked } = arrival;
         let light = &self.world.lights[*number as usize];
         let grid = self.illuminating(light);
         let mut back = false;
-        if grid.is_none() && !self.facing(at, surface, incident.direction) {
+        if grid.is_none() && !self.facing(at, surface, &incident.direction) {
             if surface.finish.diffuse_back <= 0.0 {
                 self.statistics.lights_behind += 1;
                 return Rgb::ZERO;
@@ -111,7 +112,7 @@ impl Tracer<'_> {
             Some(area) => {
                 self.illuminate(at, light, area, surface, &Incident { color: unblocked, ..*incident })
             }
-            None => self.answer(surface, incident.direction, unblocked, back, light.shadowless),
+            None => self.answer(surface, &incident.direction, unblocked, back, light.shadowless),
         };
         match &surface.finish.irid {
             Some(irid) => {
@@ -119,10 +120,10 @@ impl Tracer<'_> {
                 let film = iridescence(
                     irid,
                     settings.irid_wavelength,
-                    position,
-                    surface.normal,
+                    at.surface.textured,
+                    *surface.normal,
                     incident.direction,
-                    surface.direction,
+                    *surface.direction,
                     settings.noise_generator,
                 );
                 answer * film
@@ -137,8 +138,8 @@ impl Tracer<'_> {
         light.area.as_ref().filter(|area| area.area_illumination && self.quality.area_lights)
     }
 
-    fn facing(&self, at: &At, surface: &Surface, to_light: DVec3) -> bool {
-        at.leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || surface.normal.dot(to_light) >= FACING
+    fn facing(&self, at: &At, surface: &Surface, to_light: &DVec3) -> bool {
+        at.leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || surface.normal.dot(*to_light) >= FACING
     }
 
     /// What a layer makes of the light `color` from one place.
@@ -146,7 +147,7 @@ impl Tracer<'_> {
     fn answer(
         &mut self,
         surface: &Surface,
-        to_light: DVec3,
+        to_light: &DVec3,
         color: Rgb,
         back: bool,
         shadowless: bool,
@@ -173,9 +174,9 @@ impl Tracer<'_> {
             let offset = area.offset(axes, (u, v), self.grid_shift(area));
             let incident = light.reaching_from_grid(at.surface.point, offset);
             let color = share * incident.attenuation;
-            let facing = self.facing(at, surface, incident.direction);
+            let facing = self.facing(at, surface, &incident.direction);
             if facing || surface.finish.diffuse_back > 0.0 {
-                sum += self.answer(surface, incident.direction, color, !facing, light.shadowless);
+                sum += self.answer(surface, &incident.direction, color, !facing, light.shadowless);
             }
         }
         sum

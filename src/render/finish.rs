@@ -23,21 +23,21 @@ pub(super) struct Surface<'a> {
     /// How much of itself the layer shows, the factor of own light.
     pub(super) opacity: f32,
     /// The layer's unit normal, bent by its bumps.
-    pub(super) normal: DVec3,
+    pub(super) normal: &'a DVec3,
     /// Unit direction of the ray that sees it.
-    pub(super) direction: DVec3,
+    pub(super) direction: &'a DVec3,
 }
 
 impl Surface<'_> {
     /// What of the light `color` from some direction is scattered towards the eye, from the front or
     /// through from the back.
     #[inline]
-    pub(super) fn diffuse(&self, to_light: DVec3, color: Rgb, back: bool, grain: f32) -> Rgb {
+    pub(super) fn diffuse(&self, to_light: &DVec3, color: Rgb, back: bool, grain: f32) -> Rgb {
         let share = if back { self.finish.diffuse_back } else { self.finish.diffuse };
         if share <= 0.0 {
             return Rgb::ZERO;
         }
-        let cosine = self.normal.dot(to_light).abs();
+        let cosine = self.normal.dot(*to_light).abs();
         let brilliance = f64::from(self.finish.brilliance);
         let lobe = if brilliance == 1.0 { cosine } else { cosine.powf(brilliance) };
         let strength = share * lobe as f32 * self.opacity - self.finish.crand * grain;
@@ -46,36 +46,36 @@ impl Surface<'_> {
 
     /// The phong and specular highlights of light from some direction.
     #[inline]
-    pub(super) fn highlights(&self, to_light: DVec3, color: Rgb) -> Rgb {
+    pub(super) fn highlights(&self, to_light: &DVec3, color: Rgb) -> Rgb {
         let strength = self.phong(to_light) + self.specular(to_light);
         if strength == 0.0 {
             return Rgb::ZERO;
         }
         let tint = match self.finish.metallic {
             0.0 => Rgb::ONE,
-            amount => metallic(amount, self.color, self.normal.dot(to_light)),
+            amount => metallic(amount, self.color, self.normal.dot(*to_light)),
         };
         color * tint * strength as f32
     }
 
     #[inline]
-    fn phong(&self, to_light: DVec3) -> f64 {
+    fn phong(&self, to_light: &DVec3) -> f64 {
         if self.finish.phong <= 0.0 {
             return 0.0;
         }
-        let cosine = self.direction.reflect(self.normal).dot(to_light);
+        let cosine = self.direction.reflect(*self.normal).dot(*to_light);
         let size = self.finish.phong_size;
         let visible = cosine > 0.0 && (size < SHARP_PHONG || cosine > SHARP_PHONG_END);
         if visible { f64::from(self.finish.phong) * cosine.powf(f64::from(size)) } else { 0.0 }
     }
 
     #[inline]
-    fn specular(&self, to_light: DVec3) -> f64 {
+    fn specular(&self, to_light: &DVec3) -> f64 {
         if self.finish.specular <= 0.0 {
             return 0.0;
         }
-        let half = to_light - self.direction;
-        let cosine = half.dot(self.normal) / half.length();
+        let half = *to_light - *self.direction;
+        let cosine = half.dot(*self.normal) / half.length();
         if cosine > 0.0 {
             f64::from(self.finish.specular) * cosine.powf(f64::from(self.finish.specular_exponent))
         } else {

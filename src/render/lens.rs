@@ -8,7 +8,7 @@ use super::sampling::Sample;
 use super::trace::Tracer;
 use crate::math::DVec2;
 use crate::math::noise::hashes;
-use crate::world::camera::{FocalBlur, film};
+use crate::world::camera::{FocalBlur, Projection, film};
 
 /// Sub-pixel places along an axis.
 const PLACES: usize = 16;
@@ -33,9 +33,11 @@ struct Sums {
 }
 
 impl Sums {
+    #[inline]
     fn add(&mut self, sample: Sample) {
         self.count += 1;
-        for (i, value) in sample.map(f64::from).into_iter().enumerate() {
+        for (i, value) in sample.into_iter().enumerate() {
+            let value = f64::from(value);
             self.values[i] += value;
             self.squares[i] += value * value;
         }
@@ -78,10 +80,16 @@ impl Eye<'_> {
     #[inline]
     fn lens_sample(&self, tracer: &mut Tracer, blur: &FocalBlur, x: f64, y: f64, index: usize) -> Sample {
         let place = film(x, y, self.options.width, self.options.height);
-        let Some(projected) = self.world.camera.projection.project(place) else {
-            return [0.0; 4];
+        let camera = &self.world.camera;
+        let (direction, parameters) = match &camera.projection {
+            Projection::Perspective(perspective) => (perspective.direction(place), place),
+            other => match other.project(place) {
+                Some(projected) => (projected.ray.direction, projected.parameters),
+                None => return [0.0; 4],
+            },
         };
-        let ray = blur.ray(projected.ray.direction, index, jitter(x + 0.5, y - 0.5));
-        self.seen(tracer, self.world.camera.bend(ray, projected.parameters), (x, y), f64::INFINITY)
+        let mut ray = blur.ray(direction, index, jitter(x + 0.5, y - 0.5));
+        camera.bend(&mut ray, parameters);
+        self.seen(tracer, ray, (x, y), f64::INFINITY)
     }
 }

@@ -4,6 +4,7 @@
 mod adaptive;
 mod intervals;
 mod sample;
+mod shade;
 mod strata;
 
 use smallvec::SmallVec;
@@ -15,6 +16,7 @@ use crate::math::{Bounds, DVec3, Rgb};
 use crate::world::accel::{Hull, Points};
 use crate::world::atmosphere::Veil;
 use crate::world::media::{Method, Sampling};
+use crate::world::screen::Screen;
 use crate::world::{Light, Media, Range, Ray, World};
 use intervals::{Beam, Interval, intervals};
 use sample::Sample;
@@ -136,7 +138,15 @@ impl Tracer<'_> {
             let takes_part = light.media_interaction && !light.shadowless;
             let reach = takes_part.then(|| light.reach(&stretch.ray, stretch.length))??;
             let hull = if scatters { bundle(stretch, rule, light, reach) } else { None };
-            let among = hull.and_then(|hull| self.world.geometry.between(&hull));
+            let geometry = &self.world.geometry;
+            let among = hull.and_then(|hull| geometry.between(&hull)).map(|among| {
+                let lone = light.area.is_none() && !light.runs_parallel();
+                let shaded = |screen: Screen| match lone {
+                    true => shade::shade(&geometry.bounds(screen.object), &stretch.ray, light.location),
+                    false => Some(Range::LINE),
+                };
+                among.into_iter().filter_map(|screen| Some((screen, shaded(screen)?))).collect()
+            });
             Some(Beam { light: number, reach, among })
         };
         stretch.lights.iter().filter_map(beam).collect()

@@ -145,8 +145,8 @@ impl<'w> Eye<'w> {
         let place = Place { at: DVec2::new(x, y), size: [self.options.width, self.options.height] };
         let (mut sum, mut count) = ([0.0; 4], 0.0);
         for index in 0..mesh.rays {
-            if let Some(ray) = mesh.ray(place, index) {
-                let ray = self.world.camera.bend(ray, DVec2::ZERO);
+            if let Some(mut ray) = mesh.ray(place, index) {
+                self.world.camera.bend(&mut ray, DVec2::ZERO);
                 let seen = self.seen(tracer, ray, (x, y), mesh.reach);
                 sum.iter_mut().zip(seen).for_each(|(sum, component)| *sum += component);
                 count += 1.0;
@@ -156,11 +156,14 @@ impl<'w> Eye<'w> {
     }
 
     /// The colour and transmit along a ray through image coordinates, up to some distance.
+    #[inline]
     fn seen(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64), reach: f64) -> Sample {
         tracer.statistics.camera_rays += 1;
         tracer.random = Random::of_sample(x, y, self.options.seed);
-        let around = || Inside::of(self.world.interiors_around(ray.origin));
-        let inside = self.inside.clone().unwrap_or_else(around);
+        let inside = match &self.inside {
+            Some(inside) => inside.clone(),
+            None => Inside::of(self.world.interiors_around(ray.origin)),
+        };
         let path = Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, wavelength: None, inside };
         let seen = tracer.trace_within(path, reach);
         let [r, g, b] = seen.color.to_array();

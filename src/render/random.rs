@@ -19,6 +19,7 @@ impl Default for Random {
 
 impl Random {
     /// The sequence of the sample at image coordinates (x, y); every `seed` has others.
+    #[inline]
     pub(super) fn of_sample(x: f64, y: f64, seed: u64) -> Self {
         Self::Fresh([x.to_bits(), y.to_bits(), seed])
     }

@@ -138,7 +138,11 @@ impl Tracer<'_> {
         let mut sum = Sum::default();
         if let Some(layers) = textures::layers(world, leaf, surface) {
             self.statistics.texture_evaluations += 1;
-            let mut sample = textures::sample(world, &path.ray, hit, surface);
+            // What looks the same everywhere need not know where it is.
+            let mut sample = match layers.iter().all(Layer::is_even) {
+                true => Sample::at(DVec3::ZERO),
+                false => textures::sample(world, &path.ray, hit, surface),
+            };
             self.texture(&mut at, 1.0, layers, &mut sample, &mut sum);
         } else {
             textures::resolve(world, &path.ray, hit, surface, &mut |weight, layers, sample| {
@@ -208,9 +212,17 @@ impl Tracer<'_> {
         stack: &mut Stack,
     ) -> Option<Mirror> {
         let finish: &Finish = &layer.finish;
-        let direction = at.path.ray.direction;
-        let normal = if self.quality.reflection { layer.bend(sample) } else { sample.normal };
-        stack.top.get_or_insert(normal);
+        let bent;
+        let normal = match &layer.normal {
+            Some(_) if self.quality.reflection => {
+                bent = layer.bend(sample);
+                &bent
+            }
+            _ => &at.surface.normal,
+        };
+        if stack.top.is_none() {
+            stack.top = Some(*normal);
+        }
         let given = layer.pigment.color(sample);
         let color = given.unwrap_or(Rgbft::new([1.0, 1.0, 1.0, 0.0, 1.0]));
         if self.quality.flat {
@@ -219,13 +231,14 @@ impl Tracer<'_> {
         } else {
             let opacity = self.opacity(&color);
             let own = finish.ambient * self.world.settings.ambient_light + finish.emission;
+            let direction = &at.path.ray.direction;
             let surface = Surface { finish, color: color.rgb, opacity, normal, direction };
-            let direct = self.direct(at, &surface, sample.position);
+            let direct = self.direct(at, &surface);
             stack.color += stack.through * (color.rgb * own * opacity + direct);
         }
         let reflectivity = self.reflectivity(at, finish, normal, color.rgb);
         let mirror = finish.reflection.as_ref().zip(reflectivity).map(|(reflection, reflectivity)| Mirror {
-            normal,
+            normal: *normal,
             share: reflectivity.color,
             weight: at.path.weight * stack.share * reflectivity.weight,
             exponent: reflection.exponent.recip(),
@@ -250,7 +263,7 @@ impl Tracer<'_> {
         }
     }
 
-    fn reflectivity(&self, at: &At, finish: &Finish, normal: DVec3, color: Rgb) -> Option<Reflectivity> {
+    fn reflectivity(&self, at: &At, finish: &Finish, normal: &DVec3, color: Rgb) -> Option<Reflectivity> {
         let reflection = finish.reflection.as_ref().filter(|_| self.quality.reflection)?;
         let interior = at.leaf.interior;
         let index = if reflection.fresnel {
@@ -258,7 +271,7 @@ impl Tracer<'_> {
         } else {
             1.0
         };
-        let cosine = -at.path.ray.direction.dot(normal);
+        let cosine = -at.path.ray.direction.dot(*normal);
         Some(mirror::reflectivity(reflection, cosine, index, color))
     }
 

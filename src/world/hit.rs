@@ -12,8 +12,8 @@ use super::parts::{Object, Parts};
 use super::ray::{Range, Ray};
 use super::screen::{SHUT, Screen, UNKNOWN};
 use super::shape::{Crossing, Remark, Shape};
-use crate::math::DVec3;
 use crate::math::wide::widest;
+use crate::math::{Bounds, DVec3};
 use crate::options::Accelerator;
 
 /// Up to this many objects that may throw a shadow are kept for the many rays of a bundle.
@@ -78,6 +78,12 @@ impl Geometry {
     #[inline]
     pub fn parts(&self) -> &Parts {
         &self.parts
+    }
+
+    /// The box around an object.
+    #[inline]
+    pub fn bounds(&self, object: u32) -> Bounds {
+        self.parts.extent(self.parts.objects[object as usize].member).bounds
     }
 
     /// The nearest surface in `range` that such rays see. Of several at exactly the same

@@ -14,6 +14,7 @@ pub struct Ray {
 
 impl Ray {
     /// A ray as given.
+    #[inline]
     pub fn new(origin: DVec3, direction: DVec3) -> Self {
         Self { origin, direction }
     }
@@ -59,6 +60,8 @@ pub struct Range {
 impl Range {
     /// Everything in front of the origin.
     pub const AHEAD: Self = Self { min: 0.0, max: f64::INFINITY };
+    /// Nothing, as a start for ends that grow.
+    pub const EMPTY: Self = Self { min: f64::INFINITY, max: f64::NEG_INFINITY };
     /// The whole line.
     pub const LINE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
 

@@ -104,7 +104,7 @@ impl View {
     }
 }
 
-/// The balls of a leaf that is all but round.
+/// The balls of a leaf that is all but round, or lies around a point.
 struct Balls {
     center: DVec3,
     outer: f64,
@@ -121,6 +121,9 @@ impl Balls {
             Primitive::Box(solid) => {
                 let half = (solid.max - solid.min) / 2.0;
                 Self { center: solid.min + half, outer: half.length(), inner: half.min_element() }
+            }
+            Primitive::Torus(torus) => {
+                Self { center: DVec3::ZERO, outer: torus.major + torus.minor, inner: -1.0 }
             }
             _ => return None,
         };

@@ -76,8 +76,7 @@ pub struct Layer {
 impl TextureBody {
     /// Whether it looks the same wherever it is.
     fn is_everywhere_alike(&self) -> bool {
-        let alike = |layer: &Layer| matches!(*layer.pigment, Pigment::Color(_)) && layer.normal.is_none();
-        matches!(self, Self::Layered { layers, .. } if layers.iter().all(alike))
+        matches!(self, Self::Layered { layers, .. } if layers.iter().all(Layer::is_even))
     }
 }
 
@@ -215,6 +214,12 @@ impl TextureBody {
 }
 
 impl Layer {
+    /// Whether it looks the same wherever it is.
+    #[inline]
+    pub fn is_even(&self) -> bool {
+        self.normal.is_none() && matches!(*self.pigment, Pigment::Color(_))
+    }
+
     /// Whether its pigment is clear and the same everywhere.
     fn is_clear(&self) -> bool {
         matches!(*self.pigment, Pigment::Color(color) if color.transmit == 1.0 && color.filter == 0.0)

@@ -4,8 +4,8 @@
 use smallvec::SmallVec;
 
 use crate::world::Range;
-use crate::world::hit::Nearby;
 use crate::world::media::Sampling;
+use crate::world::screen::Screen;
 
 /// A lamp and the part of a stretch it may light.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,8 +14,8 @@ pub(super) struct Beam {
     pub(super) light: u32,
     /// From … to, as distances.
     pub(super) reach: Range,
-    /// The objects that may stand between, where they are few.
-    pub(super) among: Option<Nearby>,
+    /// The objects that may stand between, and the distances where they may, where they are few.
+    pub(super) among: Option<SmallVec<[(Screen, Range); 4]>>,
 }
 
 /// A part of a stretch that is sampled for itself.

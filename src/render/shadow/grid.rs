@@ -8,7 +8,7 @@ use crate::render::trace::Tracer;
 use crate::world::accel::{Hull, Points};
 use crate::world::hit::Nearby;
 use crate::world::light::{AreaLight, Incident};
-use crate::world::screen::{OPEN, SHUT, Screen, Verdict};
+use crate::world::screen::{OPEN, SHUT, Screen, Verdict, View};
 use crate::world::{Intersection, Light};
 
 /// Difference between corners of an area light's grid above which the part between is refined.
@@ -27,6 +27,8 @@ pub(in crate::render) struct Places {
     /// The ways to them, by coordinate.
     ways: [Vec<f64>; 3],
     verdicts: Vec<Verdict>,
+    /// What may be in the way, as seen from where the rays start.
+    views: Vec<View>,
 }
 
 /// A rectangle of an area light's grid, by the indices of its corners.
@@ -42,6 +44,8 @@ struct Grid<'a> {
     area: &'a AreaLight,
     axes: [DVec3; 2],
     center: &'a Incident,
+    /// From where all rays start to the middle of the grid, where the views say what is in the way.
+    middle: Option<DVec3>,
 }
 
 impl Tracer<'_> {
@@ -73,12 +77,17 @@ impl Tracer<'_> {
         center: &Incident,
     ) -> Rgb {
         let axes = area.axes_towards(center.direction);
-        let grid = Grid { light, area, axes, center };
+        let mut grid = Grid { light, area, axes, center, middle: None };
         let plain = light.projected_through.is_none() && !light.runs_parallel() && !self.dims(light);
-        if let (Some(among), true, false) = (at.among, plain, area.plan.shares.is_empty())
+        if let (Some(among), true) = (at.among, plain)
             && let Some(origin) = origin(at.surface, light, area, axes)
         {
-            return self.whole(at, &grid, among, origin);
+            if !area.plan.shares.is_empty() {
+                return self.whole(at, &grid, among, origin);
+            }
+            self.places.views.clear();
+            self.places.views.extend(among.iter().map(|screen| screen.from(origin)));
+            grid.middle = Some(light.location - origin);
         }
         self.places.known.clear();
         self.places.known.resize((area.size[0] * area.size[1]) as usize, None);
@@ -141,7 +150,12 @@ impl Tracer<'_> {
         }
         let offset = grid.area.offset(grid.axes, (u, v), self.grid_shift(grid.area));
         self.statistics.shadow_rays += 1;
-        let color = self.towards(at, grid, offset);
+        let verdict = grid.middle.map(|middle| self.places.verdict(middle + offset));
+        let color = match verdict {
+            Some(OPEN) => grid.center.color,
+            Some(SHUT) => Rgb::ZERO,
+            _ => self.towards(at, grid, offset),
+        };
         self.places.known[index] = Some(color);
         color
     }
@@ -166,6 +180,13 @@ fn origin(surface: &Intersection, light: &Light, area: &AreaLight, axes: [DVec3;
 }
 
 impl Places {
+    /// Whether anything is in the way of light that comes along `way`.
+    #[inline]
+    fn verdict(&self, way: DVec3) -> Verdict {
+        let way = way.to_array();
+        self.views.iter().fold(OPEN, |verdict, view| verdict.max(view.verdict(way)))
+    }
+
     /// Finds out which places `among` leaves open, as far as that is seen without the surfaces.
     fn look(&mut self, middle: DVec3, [a, b]: [DVec3; 2], among: &[Screen], origin: DVec3) {
         let Self { moved, ways, verdicts, .. } = self;

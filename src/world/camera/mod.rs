@@ -147,17 +147,24 @@ impl Camera {
     /// The unit ray through a place on the film, without the lens.
     #[inline]
     pub fn ray(&self, film: Film) -> Option<Ray> {
-        let Projected { ray, parameters } = self.projection.project(film)?;
-        Some(self.bend(Ray::new(ray.origin, ray.direction.normalize_or_zero()), parameters))
+        let Projected { ray, parameters } = match &self.projection {
+            // Not by way of memory.
+            Projection::Perspective(perspective) => perspective.project(film),
+            other => other.project(film)?,
+        };
+        let mut ray = Ray::new(ray.origin, ray.direction.normalize_or_zero());
+        self.bend(&mut ray, parameters);
+        Some(ray)
     }
 
-    /// A unit ray after the camera's `normal`, which is evaluated at the projection's two parameters
+    /// Bends a unit ray by the camera's `normal`, which is evaluated at the projection's two parameters
     /// (docs/spec/camera-image.md 6).
     #[inline]
-    pub fn bend(&self, ray: Ray, parameters: DVec2) -> Ray {
-        let Some(normal) = &self.normal else { return ray };
-        let sample = Sample::at(parameters.extend(0.0));
-        Ray::new(ray.origin, normal.bend(&sample, ray.direction, false).normalize_or_zero())
+    pub fn bend(&self, ray: &mut Ray, parameters: DVec2) {
+        if let Some(normal) = &self.normal {
+            let sample = Sample::at(parameters.extend(0.0));
+            ray.direction = normal.bend(&sample, ray.direction, false).normalize_or_zero();
+        }
     }
 
     /// Where all rays start; `None` where they don't start at one point.

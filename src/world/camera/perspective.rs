@@ -1,6 +1,7 @@
 //! `perspective`: straight lines stay straight.
 
 use super::{Film, Frame, Projected};
+use crate::math::DVec3;
 
 /// A pinhole camera; the field of view comes from the lengths of the vectors.
 #[derive(Clone, Debug)]
@@ -14,5 +15,11 @@ impl Perspective {
     #[inline]
     pub fn project(&self, film: Film) -> Projected {
         Projected { ray: self.frame.ray(film.x, film.y, 1.0), parameters: film }
+    }
+
+    /// The ray's direction alone, of any length.
+    #[inline]
+    pub fn direction(&self, film: Film) -> DVec3 {
+        self.project(film).ray.direction
     }
 }
