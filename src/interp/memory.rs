@@ -6,7 +6,7 @@ use crate::source::Span;
 use memory_stats::memory_stats;
 
 /// How much may be added before it is looked at how much there is.
-const UNNOTICED: usize = pages::MANY;
+const UNNOTICED: usize = 16 << 20;
 
 /// Bytes that are made in the time of a step.
 const BYTES_A_STEP: u64 = 64;
@@ -33,8 +33,10 @@ impl Vm<'_> {
     /// The same, whenever it is time to look.
     pub(super) fn check_memory(&mut self, bytes: usize, span: Span) -> Result<()> {
         self.added = 0;
-        pages::huge();
         let used = used().saturating_sub(self.memory_before);
+        if used >= pages::MANY as u64 {
+            pages::huge();
+        }
         if used.saturating_add(bytes as u64) <= self.options.max_memory {
             return Ok(());
         }

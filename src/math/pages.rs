@@ -1,8 +1,8 @@
 //! How the system hands memory out: a small scene asks for pages that are soon cleared, a large one for
 //! huge ones, of which few are needed.
 
-/// From so many bytes on huge pages pay.
-pub const MANY: usize = 16 << 20;
+/// From so many bytes on huge pages pay: the system clears each as a whole, however little of it is used.
+pub const MANY: usize = 64 << 20;
 
 /// Has memory handed out in small pages from now on, where the system lets a program choose.
 pub fn small() {

@@ -39,8 +39,9 @@ impl Tracer<'_> {
         if at.plain {
             // Nobody else asks for these arrivals.
             let world = self.world;
-            for &number in &world.light_sets[at.leaf.lights as usize] {
-                if let Some(mut arrival) = self.arrival(at, number) {
+            for &light in &world.light_sets[at.leaf.lights as usize] {
+                let mut arrival = Arrival { light, incident: self.incident(at, light), unblocked: None };
+                if !self.is_out_of_reach(&arrival) {
                     sum += self.lamp(at, &mut arrival, surface);
                 }
             }
@@ -54,20 +55,24 @@ impl Tracer<'_> {
         sum
     }
 
-    /// What a lamp sends to the hit; `None` where it is dark.
+    /// What a lamp sends to the hit if nothing is in the way.
     #[inline]
-    fn arrival(&mut self, at: &At, number: u32) -> Option<Arrival> {
+    fn incident(&self, at: &At, number: u32) -> Incident {
         let light = &self.world.lights[number as usize];
         let mut incident = light.reaching(at.surface.point);
         if self.illuminating(light).is_some() {
             // Each place of the grid has its own attenuation.
             incident.color = light.color;
         }
-        if incident.is_dark() {
-            self.statistics.lights_dark += 1;
-            return None;
-        }
-        Some(Arrival { light: number, incident, unblocked: None })
+        incident
+    }
+
+    /// Whether a lamp is too dark or too far away to count.
+    #[inline]
+    fn is_out_of_reach(&mut self, arrival: &Arrival) -> bool {
+        let dark = arrival.incident.is_dark();
+        self.statistics.lights_dark += u64::from(dark);
+        dark
     }
 
     /// The lamps that reach the hit, found once for all its layers.
@@ -77,8 +82,9 @@ impl Tracer<'_> {
         }
         let first = self.arrivals.len();
         let world = self.world;
-        for &number in &world.light_sets[at.leaf.lights as usize] {
-            if let Some(arrival) = self.arrival(at, number) {
+        for &light in &world.light_sets[at.leaf.lights as usize] {
+            let arrival = Arrival { light, incident: self.incident(at, light), unblocked: None };
+            if !self.is_out_of_reach(&arrival) {
                 self.arrivals.push(arrival);
             }
         }

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::math::noise::Octaves;
 use crate::math::{DVec3, Rgb};
+use crate::world::light::power;
 use crate::world::texture::Finish;
 use crate::world::texture::Irid;
 
@@ -12,6 +13,8 @@ use crate::world::texture::Irid;
 const SHARP_PHONG: f32 = 60.0;
 /// The cosine where they end.
 const SHARP_PHONG_END: f64 = 0.0008;
+/// Minus the logarithm of a share of light that isn't seen.
+const UNSEEN: f64 = 30.0;
 
 /// A layer about to be lit.
 #[derive(Clone, Copy, Debug)]
@@ -39,8 +42,8 @@ impl Surface<'_> {
         }
         let cosine = self.normal.dot(*to_light).abs();
         let brilliance = f64::from(self.finish.brilliance);
-        let lobe = if brilliance == 1.0 { cosine } else { cosine.powf(brilliance) };
-        let strength = share * lobe as f32 * self.opacity - self.finish.crand * grain;
+        let scattered = if brilliance == 1.0 { cosine } else { power(cosine, brilliance) };
+        let strength = share * scattered as f32 * self.opacity - self.finish.crand * grain;
         self.color * color * strength
     }
 
@@ -66,7 +69,7 @@ impl Surface<'_> {
         let cosine = self.direction.reflect(*self.normal).dot(*to_light);
         let size = self.finish.phong_size;
         let visible = cosine > 0.0 && (size < SHARP_PHONG || cosine > SHARP_PHONG_END);
-        if visible { f64::from(self.finish.phong) * cosine.powf(f64::from(size)) } else { 0.0 }
+        if visible { f64::from(self.finish.phong) * lobe(cosine, f64::from(size)) } else { 0.0 }
     }
 
     #[inline]
@@ -77,11 +80,19 @@ impl Surface<'_> {
         let half = *to_light - *self.direction;
         let cosine = half.dot(*self.normal) / half.length();
         if cosine > 0.0 {
-            f64::from(self.finish.specular) * cosine.powf(f64::from(self.finish.specular_exponent))
+            f64::from(self.finish.specular) * lobe(cosine, f64::from(self.finish.specular_exponent))
         } else {
             0.0
         }
     }
+}
+
+/// A cosine to a power: how much is left of a highlight at its angle. Nothing where it is less than
+/// any single-precision colour shows.
+#[inline]
+fn lobe(cosine: f64, exponent: f64) -> f64 {
+    // The logarithm of a cosine is below the cosine less 1.
+    if exponent * (1.0 - cosine) > UNSEEN { 0.0 } else { power(cosine, exponent) }
 }
 
 /// How much a colour tints what a metal reflects at `cosine` to the normal.

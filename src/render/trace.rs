@@ -10,6 +10,7 @@ use super::stats::Statistics;
 use crate::math::Rgb;
 use crate::world::atmosphere::Alpha;
 use crate::world::hit::Hit;
+use crate::world::screen::Screen;
 use crate::world::{Range, Ray, RayKind, World};
 
 /// A ray and what it brings along.
@@ -60,6 +61,8 @@ pub(super) struct Tracer<'w> {
     pub(super) occluders: Vec<Hit>,
     /// What was in the way of the last shadow ray, and so probably is in that of the next.
     pub(super) blocker: Option<u32>,
+    /// What may be in the way of the light at the sample of media at hand.
+    pub(super) near: Vec<Screen>,
     /// What the places of the area light at hand show.
     pub(super) places: Places,
 }
@@ -77,6 +80,7 @@ impl<'w> Tracer<'w> {
             mirrors: Vec::new(),
             occluders: Vec::new(),
             blocker: None,
+            near: Vec::new(),
             places: Places::default(),
         }
     }

@@ -12,7 +12,7 @@ use crate::math::{DVec3, Transform};
 bitflags! {
     /// Kinds of rays; for an object, those that don't see it (docs/spec/shading.md 3).
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-    pub struct RayKind: u8 {
+    pub struct RayKind: u32 {
         /// From the camera, or transmitted from such a ray: `no_image`.
         const IMAGE = 1;
         /// Reflected, or descending from a reflected one: `no_reflection`.

@@ -186,7 +186,7 @@ impl Formula {
             Self::Leopard => simple::leopard(p),
             Self::Marble(marble) => marble.value(p),
             Self::Object(object) => f64::from(object.inside(p)),
-            Self::Onion => p.length() % 1.0,
+            Self::Onion => fraction(p.length()),
             Self::Pavement(pavement) => pavement.value(p),
             Self::Penrose(penrose) => penrose.value(p),
             Self::Pigment(pigment) => pigment.value(&sample.moved(p)),
@@ -210,10 +210,32 @@ impl Formula {
 
 /// Values over 1 start again at 0; negative ones stay.
 fn fold(v: f64) -> f64 {
-    if v > 1.0 { v % 1.0 } else { v }
+    if v > 1.0 { fraction(v) } else { v }
+}
+
+/// The same as the remainder `v % 1.0`, exactly, but for the detour through a loop; coordinates are
+/// kept well within what fits 64 bits.
+#[inline]
+fn fraction(v: f64) -> f64 {
+    if v.abs() < 1e18 { v - v as i64 as f64 } else { v % 1.0 }
+}
+
+/// The same as `c.floor()`, of coordinates within what fits 64 bits: no call where the processor's
+/// rounding may not be used.
+#[inline]
+fn floor(c: f64) -> f64 {
+    let whole = c as i64 as f64;
+    if whole > c { whole - 1.0 } else { whole }
+}
+
+/// Whether a whole number is odd.
+#[inline]
+fn is_odd(whole: f64) -> bool {
+    whole as i64 & 1 == 1
 }
 
 /// Number of the cell of size 1 that `c` is in; boundaries belong to the upper cell.
+#[inline]
 fn cell_above(c: f64) -> f64 {
-    (c + EPSILON).floor()
+    floor(c + EPSILON)
 }

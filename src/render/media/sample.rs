@@ -6,7 +6,6 @@ use super::March;
 use crate::math::{DVec3, Rgb};
 use crate::render::shadow::Target;
 use crate::render::trace::Tracer;
-use crate::world::hit::Nearby;
 use crate::world::{Intersection, Media};
 
 /// Light that media send to the eye, and the optical depth: per unit of length, or of an interval.
@@ -95,11 +94,14 @@ impl Tracer<'_> {
             let shares: f32 = stretch.media.iter().map(|media| media.phase.share(cosine)).sum();
             let share = shares / stretch.media.len() as f32;
             if share != 0.0 {
-                let among: Option<Nearby> = beam.among.as_ref().map(|among| {
-                    among.iter().filter(|(_, shade)| shade.contains(s)).map(|&(screen, _)| screen).collect()
-                });
-                let target = Target { surface: &surface, inside: stretch.inside, among: among.as_deref() };
+                let mut near = std::mem::take(&mut self.near);
+                near.clear();
+                let between = beam.among.iter().flatten();
+                near.extend(between.filter(|(_, shade)| shade.contains(s)).map(|&(screen, _)| screen));
+                let among = beam.among.is_some().then_some(&near[..]);
+                let target = Target { surface: &surface, inside: stretch.inside, among };
                 sum += share * self.unblocked(&target, light, &incident);
+                self.near = near;
             }
         }
         sum

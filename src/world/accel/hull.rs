@@ -16,8 +16,9 @@ pub type Points = SmallVec<[DVec3; 12]>;
 pub struct Hull {
     points: Points,
     bounds: Bounds,
-    /// Directions in which the hull may be apart from a box that its own bounds meet.
-    axes: [DVec3; 10],
+    /// Directions in which the hull may be apart from a box that its own bounds meet, and from where to
+    /// where it reaches along them.
+    axes: [(DVec3, [f64; 2]); 10],
 }
 
 impl Hull {
@@ -26,7 +27,14 @@ impl Hull {
         let sides = [points[1] - points[0], points[2] - points[0], points[2] - points[1]];
         let across = |side: DVec3| DVec3::AXES.map(|axis| side.cross(axis));
         let [[a, b, c], [d, e, f], [g, h, i]] = sides.map(across);
-        let axes = [sides[0].cross(sides[1]), a, b, c, d, e, f, g, h, i];
+        let axes = [sides[0].cross(sides[1]), a, b, c, d, e, f, g, h, i].map(|axis| {
+            let mut span = [f64::INFINITY, f64::NEG_INFINITY];
+            for point in &points {
+                let place = point.dot(axis);
+                span = [span[0].min(place), span[1].max(place)];
+            }
+            (axis, span)
+        });
         Self { bounds: Bounds::of(points.iter().copied()), axes, points }
     }
 
@@ -52,12 +60,13 @@ impl Hull {
             return true;
         }
         let (center, half) = (bounds.center(), bounds.size() / 2.0);
-        !self.axes.iter().any(|&axis| {
-            let reach = half.dot(axis.abs()) + (blur + BLUR * center.abs().max_element()) * axis.length();
-            let mut places = self.points.iter().map(|&point| (point - center).dot(axis));
-            let first = places.next().unwrap_or_default();
-            let (low, high) = places.fold((first, first), |(low, high), p| (low.min(p), high.max(p)));
-            low > reach || high < -reach
+        let blur = blur + BLUR * center.abs().max_element();
+        self.axes.iter().all(|(axis, [low, high])| {
+            let size = axis.abs();
+            // No axis is longer than the sum of its components.
+            let reach = half.dot(size) + blur * size.element_sum();
+            let place = center.dot(*axis);
+            !(*low > place + reach || *high < place - reach)
         })
     }
 }

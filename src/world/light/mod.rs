@@ -159,9 +159,9 @@ impl Fade {
 
 /// `base` to the power of `exponent`: by multiplication where that is a small whole number, as it
 /// mostly is.
-fn power(base: f64, exponent: f64) -> f64 {
+pub fn power(base: f64, exponent: f64) -> f64 {
     let whole = exponent as i32;
-    if f64::from(whole) == exponent && (0..=32).contains(&whole) {
+    if f64::from(whole) == exponent && (0..=100).contains(&whole) {
         base.powi(whole)
     } else {
         base.powf(exponent)

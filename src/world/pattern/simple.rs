@@ -2,18 +2,18 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::cell_above;
+use super::{cell_above, floor, is_odd};
 use crate::math::DVec3;
 
 /// Unit cubes, 0 and 1 in turn.
 pub(super) fn checker(p: DVec3) -> f64 {
     let sum = cell_above(p.x) + cell_above(p.y) + cell_above(p.z);
-    f64::from(sum.rem_euclid(2.0) == 1.0)
+    f64::from(is_odd(sum))
 }
 
 /// Unit squares of the x-z plane in four colours, 0 … 3.
 pub(super) fn square(p: DVec3) -> f64 {
-    let odd = |c: f64| c.floor().rem_euclid(2.0) == 1.0;
+    let odd = |c: f64| is_odd(floor(c));
     match (odd(p.x), odd(p.z)) {
         (false, false) => 0.0,
         (false, true) => 1.0,
