@@ -211,8 +211,9 @@ impl Geometry {
             through.sort_unstable_by(|a, b| {
                 a.t.total_cmp(&b.t).then(a.object.cmp(&b.object)).then(b.leaf.cmp(&a.leaf))
             });
-            through
-                .dedup_by(|next, kept| next.t - kept.t <= self.parts.slack(ray, kept.leaf, &kept.crossing));
+            through.dedup_by(|next, kept| {
+                self.parts.coincide(ray, kept.leaf, &kept.crossing, next.t - kept.t)
+            });
         }
     }
 

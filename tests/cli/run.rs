@@ -6,7 +6,7 @@ use std::fs;
 /// A picture that takes long enough to be stopped.
 #[cfg(unix)]
 const SLOW: &str = "#version 3.7; global_settings { assumed_gamma 1 }
-camera { location -5*z }
+camera { location -5*z aperture 0.1 focal_point 0 blur_samples 60 variance 0 }
 light_source { <5, 5, -5> rgb 1 area_light x, y, 60, 60 }
 union { sphere { 0, 1 } plane { y, -1 } pigment { bozo } }
 ";

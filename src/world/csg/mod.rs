@@ -116,6 +116,15 @@ impl Parts {
         let scale = ray.origin.abs().max(point.abs()).max_element();
         FINE * scale / (length * cosine.max(LEAST_COSINE))
     }
+
+    /// Whether a crossing `gap` behind another may be at the same place, but for rounding.
+    #[inline]
+    pub(super) fn coincide(&self, ray: &Ray, leaf: u32, crossing: &Crossing, gap: f64) -> bool {
+        // Hardly any does: the most that the slack may be is soon found.
+        let length = ray.direction.length();
+        let scale = ray.origin.abs().max_element() + crossing.t.abs() * length;
+        gap <= 1.1 * COARSE * scale / length && gap <= self.slack(ray, leaf, crossing)
+    }
 }
 
 /// Rounding error of a crossing seen head on, relative to the coordinates.
