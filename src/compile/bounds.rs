@@ -72,6 +72,7 @@ fn bounding_box(bounds: Bounds) -> Leaf {
         primitive: Primitive::Box(Cuboid { min: bounds.min, max: bounds.max }),
         transform: None,
         extent: Extent { bounds, beyond: false },
+        reach: 0.0,
         limits: None,
         parent: None,
         flags: LeafFlags::SOLID,

@@ -8,6 +8,7 @@ use super::Unsupported;
 use super::extent::half_space;
 use super::flatten::{Flattener, Inherited};
 use super::probe::inside_of;
+use super::shape::settled::settled;
 use super::shape::{self, Compiled};
 use super::texture::TextureCompiler;
 use crate::math::{Bounds, DVec3, Transform};
@@ -108,6 +109,7 @@ impl Flattener<'_> {
             (Some(only), None) => Some(Box::new(only)),
             (None, only) => only.as_ref().map(|only| Box::new(**only)),
         };
+        let settled = transform.as_ref().and_then(|transform| settled(&compiled.primitive, transform));
         let first = self.flat.textures.len() as u32;
         for texture in own_list(primitive) {
             let outer = outer.clone().filter(|_| !own.uv_mapping);
@@ -143,8 +145,10 @@ impl Flattener<'_> {
         let limits = self.limits(object, own);
         let extent = self.clipped(Extent { bounds, beyond: inverted }, limits.as_deref());
         self.flat.spans.push(object.span);
+        let transform = transform.filter(|_| settled.is_none());
         self.flat.parts.leaves.push(Leaf {
-            primitive: compiled.primitive,
+            primitive: settled.unwrap_or(compiled.primitive),
+            reach: reach(extent, transform.as_deref()),
             transform,
             extent,
             limits,
@@ -250,6 +254,12 @@ pub(super) fn legacy(texture: &Texture) -> Option<&LegacyFinish> {
         return None;
     };
     layers.iter().rev().map(|layer| &layer.finish.legacy).find(|legacy| legacy.is_set())
+}
+
+/// The size of the numbers that a point of a primitive is computed from in the world, but for the ray's.
+fn reach(extent: Extent, transform: Option<&Transform>) -> f64 {
+    let size = if extent.bounds.is_finite() { extent.bounds.size().max_element() } else { 0.0 };
+    size + transform.map_or(0.0, |transform| transform.forward.translation.abs().max_element())
 }
 
 /// A slightly larger box, so that points rounded onto the surface are never outside of it.

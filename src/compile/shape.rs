@@ -4,6 +4,7 @@ pub mod height_field;
 pub mod isosurface;
 mod outline;
 pub mod parametric;
+pub(super) mod settled;
 pub mod text;
 
 use std::sync::Arc;

@@ -64,15 +64,10 @@ impl Tracer<'_> {
             }
         }
         let geometry = &self.world.geometry;
-        if at.among.is_none()
-            && self.blocker.is_some_and(|object| geometry.is_blocked_by(object, &ray, range))
-        {
-            return Rgb::ZERO;
-        }
         let mut occluders = std::mem::take(&mut self.occluders);
         self.blocker = match at.among {
             Some(among) => geometry.occluders_among(among, &ray, range, &mut occluders),
-            None => geometry.occluders(&ray, range, &mut occluders),
+            None => geometry.occluders(&ray, range, self.blocker, &mut occluders),
         };
         let color = if self.blocker.is_some() {
             Rgb::ZERO

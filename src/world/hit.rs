@@ -6,7 +6,7 @@ use std::cell::LazyCell;
 use smallvec::SmallVec;
 
 use super::accel::{Accel, Hull, Slabs};
-use super::csg::Found;
+use super::csg::{Found, coarse};
 use super::object::{Leaf, LeafFlags, Member, RayKind};
 use super::parts::{Object, Parts};
 use super::ray::{Range, Ray};
@@ -39,6 +39,32 @@ impl Hit {
     #[inline]
     fn new(found: Found, object: u32) -> Self {
         Self { t: found.t(), crossing: found.crossing, leaf: found.leaf, object }
+    }
+}
+
+/// The nearest surface of the objects that a ray has asked so far.
+struct Nearest<'a> {
+    parts: &'a Parts,
+    ray: &'a Ray,
+    /// Ends just behind the best hit, for the sake of ties.
+    range: Range,
+    kind: RayKind,
+    best: Option<Hit>,
+}
+
+impl Nearest<'_> {
+    /// Asks one more; answers with the end of what is of interest.
+    #[inline(always)]
+    fn visit(&mut self, number: u32) -> f64 {
+        let member = self.parts.objects[number as usize].member;
+        if let Some(found) = self.parts.nearest(member, self.ray, self.range, self.kind) {
+            let t = found.t();
+            if self.best.is_none_or(|best| t < best.t || (t == best.t && number < best.object)) {
+                self.best = Some(Hit::new(found, number));
+                self.range.max = t.next_up();
+            }
+        }
+        self.range.max
     }
 }
 
@@ -86,47 +112,59 @@ impl Geometry {
         self.parts.extent(self.parts.objects[object as usize].member).bounds
     }
 
-    /// The nearest surface in `range` that such rays see. Of several at exactly the same
-    /// distance the object declared first is seen (docs/spec/primitives.md 7.2).
+    /// The nearest surface in `range` that such rays see. Of several at exactly the same distance the
+    /// object declared first is seen (docs/spec/primitives.md 7.2); but where what has no bounds, such
+    /// as the ground, is at the same distance as far as rounding tells, that is seen (8.4).
     pub fn hit(&self, ray: &Ray, range: Range, kind: RayKind) -> Option<Hit> {
-        let mut best: Option<Hit> = None;
+        let mut nearest = Nearest { parts: &self.parts, ray, range, kind, best: None };
+        let mut ground = None;
         widest(
             #[inline(always)]
             || {
-                self.objects_along(
+                if !self.unbounded.is_empty() {
+                    for &number in &self.unbounded {
+                        nearest.visit(number);
+                    }
+                    ground = nearest.best;
+                }
+                self.bounded.along(
                     ray,
-                    range,
+                    nearest.range,
                     #[inline(always)]
-                    |number, object| {
-                        // The end is moved behind the best hit so far, for the sake of ties.
-                        let end = best.map_or(range.max, |best| best.t.next_up());
-                        let ahead = Range { min: range.min, max: end };
-                        if let Some(found) = self.parts.nearest(object.member, ray, ahead, kind) {
-                            let hit = Hit::new(found, number);
-                            if best.is_none_or(|best| {
-                                hit.t < best.t || (hit.t == best.t && number < best.object)
-                            }) {
-                                best = Some(hit);
-                            }
-                        }
-                        best.map_or(range.max, |best| best.t)
-                    },
+                    |number| nearest.visit(number),
                 );
             },
         );
-        best
+        match (ground, nearest.best) {
+            (Some(ground), Some(best)) if self.stands_on(ray, &best, &ground) => Some(ground),
+            (_, best) => best,
+        }
     }
 
-    /// Whether an object, opaque all over, is in the way of light.
-    pub fn is_blocked_by(&self, object: u32, ray: &Ray, range: Range) -> bool {
-        let (number, object) = (object, &self.parts.objects[object as usize]);
-        object.opaque && self.occluders_of(object, number, ray, range, &mut Vec::new())
+    /// Whether a hit is at the same distance as one of the ground, as far as rounding tells.
+    #[inline]
+    fn stands_on(&self, ray: &Ray, best: &Hit, ground: &Hit) -> bool {
+        let gap = ground.t - best.t;
+        best.object != ground.object
+            && gap <= coarse(ray, ground.t)
+            && gap <= self.parts.slack(ray, ground.leaf, &ground.crossing)
     }
 
     /// What stands between a point and a light: an opaque object; if there is none, `through`
-    /// holds the transparent surfaces, the nearest first, coincident ones once.
-    pub fn occluders(&self, ray: &Ray, range: Range, through: &mut Vec<Hit>) -> Option<u32> {
+    /// holds the transparent surfaces, the nearest first, coincident ones once. The object that was in
+    /// the way of the `last` ray is asked first.
+    pub fn occluders(
+        &self,
+        ray: &Ray,
+        range: Range,
+        last: Option<u32>,
+        through: &mut Vec<Hit>,
+    ) -> Option<u32> {
         through.clear();
+        let last = last.filter(|&number| self.parts.objects[number as usize].opaque);
+        if last.is_some_and(|number| self.is_blocked_by(number, ray, range)) {
+            return last;
+        }
         let mut blocker = None;
         widest(
             #[inline(always)]
@@ -136,15 +174,22 @@ impl Geometry {
                     range,
                     #[inline(always)]
                     |number, object| {
-                        let blocked = self.occluders_of(object, number, ray, range, through);
-                        blocker = blocked.then_some(number);
-                        if blocked { f64::NEG_INFINITY } else { range.max }
+                        if last == Some(number) || !self.occluders_of(object, number, ray, range, through) {
+                            return range.max;
+                        }
+                        blocker = Some(number);
+                        f64::NEG_INFINITY
                     },
                 );
             },
         );
         self.sort_occluders(ray, through);
         blocker
+    }
+
+    /// Whether an object, opaque all over, is in the way of light.
+    fn is_blocked_by(&self, number: u32, ray: &Ray, range: Range) -> bool {
+        self.occluders_of(&self.parts.objects[number as usize], number, ray, range, &mut Vec::new())
     }
 
     /// The objects that may stand in the way of light on straight ways inside of `hull`; `None` if
@@ -246,6 +291,9 @@ impl Geometry {
                 return false;
             }
         }
+        if object.opaque {
+            return self.parts.occludes(object.member, ray, range, RayKind::SHADOW);
+        }
         self.parts.surface_along(object.member, ray, range, RayKind::SHADOW, |found| {
             let opaque = self.parts.leaf(found.leaf).flags.contains(LeafFlags::OPAQUE);
             if !opaque {
@@ -286,8 +334,11 @@ impl Geometry {
                 return;
             }
         }
-        self.bounded.along(ray, Range { min: range.min, max: end }, |number| {
-            visit(number, &self.parts.objects[number as usize])
-        });
+        self.bounded.along(
+            ray,
+            Range { min: range.min, max: end },
+            #[inline(always)]
+            |number| visit(number, &self.parts.objects[number as usize]),
+        );
     }
 }

@@ -56,6 +56,8 @@ pub struct Leaf {
     pub transform: Option<Box<Transform>>,
     /// Where its inside may be, and all of its surface.
     pub extent: Extent,
+    /// The size of the numbers that its points are computed from, but for those of the ray.
+    pub reach: f64,
     /// `clipped_by` and `bounded_by`.
     pub limits: Option<Box<Limits>>,
     /// The compound it is a member of.
@@ -101,7 +103,12 @@ impl Leaf {
     #[inline]
     pub(super) fn outer_normal(&self, normal: DVec3) -> DVec3 {
         let normal = self.transform.as_ref().map_or(normal, |transform| transform.normal(normal));
-        let normal = normal.normalize_or_zero();
+        self.outward(normal.normalize_or_zero())
+    }
+
+    /// A unit normal of the primitive, turned outward.
+    #[inline]
+    pub(super) fn outward(&self, normal: DVec3) -> DVec3 {
         if self.flags.contains(LeafFlags::REVERSED) { -normal } else { normal }
     }
 

@@ -1,6 +1,7 @@
 //! Everything that makes up the geometry of a world, by number.
 
 use super::accel::Accel;
+use super::csg::is_convex;
 use super::extent::Extent;
 use super::object::{Leaf, Limits, Member};
 use crate::options::Accelerator;
@@ -39,6 +40,8 @@ pub struct Group {
     pub(super) wide: Vec<Member>,
     /// How many of the bounded members do so.
     pub(super) deciders: u32,
+    /// Whether it combines a few convex solids, all hidden from the same rays.
+    pub(super) convex: bool,
     /// Of an intersection: the place of a bounded convex solid, which no other member can exceed.
     pub(super) core: Option<u32>,
 }
@@ -65,6 +68,7 @@ impl Group {
             unbounded: members.iter().copied().filter(|&m| !is_finite(m)).collect(),
             wide: members.iter().copied().filter(|&m| !is_finite(m) || decides(m)).collect(),
             deciders: members.iter().filter(|&&m| is_finite(m) && decides(m)).count() as u32,
+            convex: is_convex(operation, &members, parts),
             core: core.filter(|_| operation == Operation::Intersection),
             operation,
             members,

@@ -1,9 +1,10 @@
 //! What is known about a surface where a ray meets it.
 
 use super::hit::{Geometry, Hit};
+use super::object::Leaf;
 use super::ray::Ray;
 use super::shape::Shape;
-use crate::math::{Bounds, DVec2, DVec3, tally};
+use crate::math::{DVec2, DVec3, tally};
 
 /// A point of a surface, as shading sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,38 +43,24 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 impl Geometry {
     /// Works out a hit of `ray`.
+    #[inline]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Intersection {
         let leaf = self.parts().leaf(hit.leaf);
-        let inner_ray = leaf.inner(ray);
-        let inner = leaf.primitive.reproject(inner_ray.at(hit.t), &hit.crossing);
-        let outer = |inner| leaf.transform.as_ref().map_or(inner, |transform| transform.point(inner));
-        let point = outer(inner);
-        let [textured, normal, geometric] = if leaf.primitive.is_simple() {
-            let normal = leaf.outer_normal(leaf.primitive.normal(inner, &hit.crossing));
-            [point, normal, normal]
-        } else {
-            let lag = leaf.primitive.lag(&hit.crossing);
-            let behind = if lag == 0.0 { inner } else { inner_ray.at(hit.t + lag) };
-            let textured = if lag == 0.0 { point } else { outer(behind) };
-            let normal =
-                leaf.primitive.outer_normal(behind, &hit.crossing, &|normal| leaf.outer_normal(normal));
-            let geometric = match lag == 0.0 && !leaf.primitive.interpolates() {
-                true => normal,
-                false => leaf.outer_normal(leaf.primitive.geometric_normal(inner, &hit.crossing)),
-            };
-            [textured, normal, geometric]
+        let [point, textured, normal, geometric] = match &leaf.transform {
+            None if leaf.primitive.is_simple() => {
+                let (point, normal) = leaf.primitive.touched(ray.at(hit.t), &hit.crossing);
+                let normal = leaf.outward(normal);
+                [point, point, normal, normal]
+            }
+            _ => details(leaf, ray, hit),
         };
         let inside = normal.dot(ray.direction) > 0.0;
         let turn = |n: DVec3| if inside { -n } else { n };
-        let coordinates = ray.origin.abs().max(point.abs()).max_element() + size(leaf.extent.bounds);
-        let terms = leaf
-            .transform
-            .as_ref()
-            .map_or(0.0, |transform| transform.forward.translation.abs().max_element());
+        let coordinates = ray.origin.abs().max(point.abs()).max_element();
         Intersection {
             point,
             textured,
-            error: ROUNDING * (coordinates + terms),
+            error: ROUNDING * (coordinates + leaf.reach),
             normal: turn(normal),
             geometric: turn(geometric),
             inside,
@@ -88,7 +75,25 @@ impl Geometry {
     }
 }
 
-#[inline]
-fn size(bounds: Bounds) -> f64 {
-    if bounds.is_finite() { bounds.size().max_element() } else { 0.0 }
+/// The point of a hit, where its textures are looked up, its normal and that of the true surface.
+fn details(leaf: &Leaf, ray: &Ray, hit: &Hit) -> [DVec3; 4] {
+    let inner_ray = leaf.inner(ray);
+    let inner = inner_ray.at(hit.t);
+    let outer = |inner| leaf.transform.as_ref().map_or(inner, |transform| transform.point(inner));
+    if leaf.primitive.is_simple() {
+        let (inner, normal) = leaf.primitive.touched(inner, &hit.crossing);
+        let (point, normal) = (outer(inner), leaf.outer_normal(normal));
+        return [point, point, normal, normal];
+    }
+    let inner = leaf.primitive.reproject(inner, &hit.crossing);
+    let point = outer(inner);
+    let lag = leaf.primitive.lag(&hit.crossing);
+    let behind = if lag == 0.0 { inner } else { inner_ray.at(hit.t + lag) };
+    let textured = if lag == 0.0 { point } else { outer(behind) };
+    let normal = leaf.primitive.outer_normal(behind, &hit.crossing, &|normal| leaf.outer_normal(normal));
+    let geometric = match lag == 0.0 && !leaf.primitive.interpolates() {
+        true => normal,
+        false => leaf.outer_normal(leaf.primitive.geometric_normal(inner, &hit.crossing)),
+    };
+    [point, textured, normal, geometric]
 }

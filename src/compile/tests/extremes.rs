@@ -28,7 +28,7 @@ fn rays_of_no_numbers_and_of_infinite_ones_come_to_an_end() {
             let ray = Ray::new(origin, direction);
             let hit = geometry.hit(&ray, Range::AHEAD, RayKind::IMAGE);
             assert!(hit.is_none_or(|hit| hit.t > 0.), "{kind:?} {ray:?}: {hit:?}");
-            geometry.occluders(&ray, Range::AHEAD, &mut through);
+            geometry.occluders(&ray, Range::AHEAD, None, &mut through);
             geometry.containers(origin);
         }
     }

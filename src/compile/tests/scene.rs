@@ -168,7 +168,7 @@ fn the_shape_a_light_looks_like_is_seen_but_casts_no_shadow() {
     assert_eq!(hit(&geometry, v(1., 0., -5.), DVec3::Z, RayKind::IMAGE).unwrap().t, 4.);
     let mut through = Vec::new();
     let ray = Ray::new(v(1., 0., -5.), DVec3::Z);
-    assert_eq!(geometry.occluders(&ray, Range::AHEAD, &mut through), None);
+    assert_eq!(geometry.occluders(&ray, Range::AHEAD, None, &mut through), None);
     assert!(through.is_empty());
 }
 
@@ -221,7 +221,7 @@ fn shadow_rays_collect_transparent_surfaces_in_order_and_coincident_ones_once() 
     let geometry = geometry(&[glass(4.), glass(1.), glass(2.), glass(1.)]);
     let mut through = Vec::new();
     assert_eq!(
-        geometry.occluders(&Ray::new(DVec3::ZERO, DVec3::Z), Range { min: 0., max: 4.5 }, &mut through),
+        geometry.occluders(&Ray::new(DVec3::ZERO, DVec3::Z), Range { min: 0., max: 4.5 }, None, &mut through),
         None
     );
     let found: Vec<_> = through.iter().map(|hit| (hit.t, hit.object)).collect();
@@ -255,8 +255,8 @@ fn linear_search_and_trees_give_bit_identical_hits() {
         for tree in &trees {
             assert_eq!(found, tree.hit(&ray, Range::AHEAD, RayKind::IMAGE));
             assert_eq!(
-                linear.occluders(&ray, Range::AHEAD, &mut through).is_some(),
-                tree.occluders(&ray, Range::AHEAD, &mut other).is_some()
+                linear.occluders(&ray, Range::AHEAD, None, &mut through).is_some(),
+                tree.occluders(&ray, Range::AHEAD, None, &mut other).is_some()
             );
             assert_eq!(through, other);
             assert_eq!(linear.containers(ray.origin), tree.containers(ray.origin));

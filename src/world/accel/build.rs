@@ -5,7 +5,7 @@
 use rayon::prelude::*;
 use smallvec::SmallVec;
 
-use super::bvh::{Node, WIDTH};
+use super::node::{Node, WIDTH};
 use crate::math::{Bounds, DVec3};
 
 /// Centres of many items are sorted into this many slices along each axis.

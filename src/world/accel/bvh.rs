@@ -6,20 +6,17 @@
 
 use std::ops::Range as Span;
 
-use glam::{BVec4A, Vec4};
 use smallvec::SmallVec;
 
 use super::Hull;
 use super::build::{self, Item};
 use super::linear::Slabs;
+use super::node::{Node, Probe, SLACK, WIDTH};
 use crate::math::{Bounds, DVec3};
 use crate::world::ray::{Range, Ray};
 
-/// Children of a node.
-pub(super) const WIDTH: usize = 8;
-
 /// Marks a child that is a run of items.
-const LEAF: u32 = 1 << 31;
+pub(super) const LEAF: u32 = 1 << 31;
 
 /// Where in a leaf's mark the length of its run stands, less one; its first item stands below.
 const LENGTH: u32 = 28;
@@ -27,17 +24,21 @@ const LENGTH: u32 = 28;
 /// The longest run of a leaf.
 pub(super) const LONGEST_RUN: usize = 8;
 
-/// Bound on the rounding errors of single precision tests, relative to the terms of each.
-const SLACK: f32 = 8.0 * f32::EPSILON;
-
 /// Bound on the rounding errors of double precision arithmetic on points.
 const BLUR: f64 = 8.0 * f64::EPSILON;
 
-/// Directions are kept away from zero, so that no slab's distance is 0 · ∞.
-const LEAST_DIRECTION: f32 = 1e-30;
+/// Rays that start so near, in the space of the boxes, need not be moved up to them.
+const NEAR: f64 = 8.0;
 
-/// Deepest stack seen on ordinary scenes; deeper ones go to the heap.
-const STACK: usize = 64;
+/// The largest component of directions that need not be scaled.
+const LEAST_SPAN: f64 = 1e-3;
+const GREATEST_SPAN: f64 = 1e3;
+
+/// Makes up for rounding in single precision, also that of the distances of boxes.
+const UP: f32 = 1.0 + 2.0 * SLACK;
+
+/// Children that wait on an ordinary walk; what is beyond goes to the heap.
+const STACK: usize = 24;
 
 /// A tree over bounded items.
 #[derive(Clone, Debug)]
@@ -46,33 +47,24 @@ pub struct Bvh {
     whole: Bounds,
     center: DVec3,
     scale: f64,
+    /// What rounding in double precision does to points in the space of the boxes, but for that of the ray.
+    blur: f64,
 }
 
-/// One number of each child of a node, side by side.
-type Lanes = [f32; WIDTH];
-
-/// Eight boxes side by side; missing children have empty ones.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(32))]
-pub(super) struct Node {
-    /// The low faces along x, y and z, then the high ones.
-    faces: [Lanes; 6],
-    children: [u32; WIDTH],
+/// A ray on its way through the boxes.
+struct Way {
+    probe: Probe,
+    /// Where it starts.
+    start: f64,
+    /// Distances beyond, in the space of the boxes, are so many times larger.
+    scale: f64,
 }
 
-impl Node {
-    /// No children yet.
-    pub(super) const EMPTY: Self = {
-        let (low, high) = ([f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]);
-        Self { faces: [low, low, low, high, high, high], children: [u32::MAX; WIDTH] }
-    };
-
-    /// The same node in a tree whose numbers start at `offset`.
-    pub(super) fn moved(mut self, offset: u32) -> Self {
-        for child in self.children.iter_mut().filter(|child| **child & LEAF == 0) {
-            *child += offset;
-        }
-        self
+impl Way {
+    /// A distance in the space of the boxes, or a little more.
+    #[inline(always)]
+    fn end(&self, t: f64) -> f32 {
+        ((t + t.abs() * BLUR - self.start) * self.scale) as f32 * UP + f32::MIN_POSITIVE
     }
 }
 
@@ -97,7 +89,9 @@ impl Bvh {
             whole,
             center: if items.is_empty() { DVec3::ZERO } else { whole.center() },
             scale: if scale.is_finite() { scale } else { 1.0 },
+            blur: 0.0,
         };
+        bvh.blur = 1.0 + bvh.center.abs().max_element() * bvh.scale;
         let mut items: Vec<Item> = items.into_iter().map(Item::new).collect();
         if !items.is_empty() {
             bvh.nodes = build::tree(&mut items, longest.min(LONGEST_RUN), &|children| bvh.node(children));
@@ -110,14 +104,11 @@ impl Bvh {
         let mut node = Node::EMPTY;
         for (lane, (bounds, child)) in children.iter().enumerate() {
             let (low, high) = (self.inner(bounds.min), self.inner(bounds.max));
-            node.children[lane] = match *child {
+            let child = match *child {
                 build::Child::Node(number) => number,
                 build::Child::Run { first, length } => LEAF | (length - 1) << LENGTH | first,
             };
-            for axis in 0..3 {
-                node.faces[axis][lane] = rounded_down(low[axis]);
-                node.faces[axis + 3][lane] = rounded_up(high[axis]);
-            }
+            node.set(lane, child, low.to_array().map(rounded_down), high.to_array().map(rounded_up));
         }
         node
     }
@@ -151,67 +142,89 @@ impl Bvh {
 
     #[inline(always)]
     fn search(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> f64) {
-        let slabs = Slabs::new(ray);
-        let Some(entry) = slabs.entry(&self.whole, range).filter(|_| !self.nodes.is_empty()) else {
+        let Some(way) = self.way(ray, range) else {
             return;
         };
-        let start = entry.max(range.min);
-        // What rounding in double precision did to the origin, seen in the space of the boxes.
-        let blur = 1.0 + (ray.origin.abs().max_element() + self.center.abs().max_element()) * self.scale;
-        let stretch = ray.direction.abs().max_element();
-        let probe = Probe::new(self.inner(ray.at(start)), ray.direction / stretch, (blur * BLUR) as f32);
-        if !probe.is_sound() {
-            return;
-        }
-        // Distances beyond `start`, in the space of the boxes.
-        let scale = self.scale * stretch;
-        let inner = |t: f64| rounded_up((t + t.abs() * BLUR - start) * scale);
-        let mut far = inner(range.max);
-        let mut stack: SmallVec<[Waiting; STACK]> = SmallVec::new();
-        let mut next = Waiting::new(0.0, 0);
+        let mut far = way.end(range.max);
+        let (mut waiting, mut count, mut more) = ([Waiting(0); STACK], 0, Vec::new());
+        let mut next = 0;
         loop {
-            let child = next.child();
-            if child & LEAF != 0 {
-                let end = visit(child);
+            if next & LEAF != 0 {
+                let end = visit(next);
                 if end == f64::NEG_INFINITY {
                     return;
                 }
-                far = inner(end);
+                far = way.end(end);
             } else {
-                let node = &self.nodes[child as usize];
-                let (near, mut met) = probe.test(node, far);
-                let mut take = || {
-                    let lane = (met.trailing_zeros() as usize) % WIDTH;
-                    let some = met != 0;
-                    met &= met.wrapping_sub(1);
-                    some.then(
-                        #[inline(always)]
-                        || Waiting::new(near[lane], node.children[lane]),
-                    )
-                };
-                if let Some(first) = take() {
-                    next = first;
-                    let bottom = stack.len();
-                    while let Some(other) = take() {
-                        stack.push(other.max(next));
-                        next = other.min(next);
+                let node = &self.nodes[next as usize];
+                let ([near, more_near], mut met) = way.probe.test(node, far);
+                if met != 0 {
+                    let ([a, b, c, d], [e, f, g, h]) = (near.to_array(), more_near.to_array());
+                    let near = [a, b, c, d, e, f, g, h];
+                    let mut nearest = take(&near, node, &mut met);
+                    let bottom = count;
+                    while met != 0 {
+                        let other = take(&near, node, &mut met);
+                        let farther = other.max(nearest);
+                        nearest = other.min(nearest);
+                        if count < STACK {
+                            waiting[count] = farther;
+                            count += 1;
+                        } else {
+                            more.push(farther);
+                        }
                     }
-                    if stack.len() > bottom + 1 {
-                        far_first(&mut stack[bottom..]);
+                    if count > bottom + 1 {
+                        far_first(&mut waiting[bottom..count]);
                     }
+                    next = nearest.child();
                     continue;
                 }
             }
             loop {
-                let Some(waiting) = stack.pop() else {
-                    return;
+                let last = if more.is_empty() {
+                    if count == 0 {
+                        return;
+                    }
+                    count -= 1;
+                    waiting[count]
+                } else {
+                    more.pop().unwrap_or(Waiting::NEVER)
                 };
-                if waiting.distance() <= far {
-                    next = waiting;
+                if last.distance() <= far {
+                    next = last.child();
                     break;
                 }
             }
         }
+    }
+
+    /// The ray in the space of the boxes; `None` where it is none, or surely misses all.
+    #[inline(always)]
+    fn way(&self, ray: &Ray, range: Range) -> Option<Way> {
+        if self.nodes.is_empty() {
+            return None;
+        }
+        let origin = self.inner(ray.at(range.min));
+        let (reach, span) = (origin.abs(), ray.direction.abs().max_element());
+        let near = (reach.x <= NEAR) & (reach.y <= NEAR) & (reach.z <= NEAR);
+        let (start, stretch, origin, direction) = if near & (span >= LEAST_SPAN) & (span <= GREATEST_SPAN) {
+            (range.min, 1.0, origin, ray.direction)
+        } else {
+            self.moved_up(ray, range, span)?
+        };
+        // What rounding in double precision did to the origin, seen in the space of the boxes.
+        let blur = self.blur + ray.origin.abs().max_element() * self.scale;
+        let probe = Probe::new(origin, direction, (blur * BLUR) as f32)?;
+        Some(Way { probe, start, scale: self.scale * stretch })
+    }
+
+    /// A ray from far off moved up to the whole, where digits that are lost on the way don't matter: where
+    /// it starts, how much it is scaled down, its origin in the space of the boxes and its direction.
+    #[cold]
+    fn moved_up(&self, ray: &Ray, range: Range, span: f64) -> Option<(f64, f64, DVec3, DVec3)> {
+        let start = Slabs::new(ray).entry(&self.whole, range)?.max(range.min);
+        Some((start, span, self.inner(ray.at(start)), ray.direction / span))
     }
 
     /// See [`Accel::any_touching`](super::Accel::any_touching).
@@ -221,13 +234,7 @@ impl Bvh {
         }
         let hull = hull.mapped(|point| self.inner(point));
         let touched = |node: &Node| {
-            let place = |face: usize, lane: usize| f64::from(node.faces[face][lane]);
-            let corner =
-                |face, lane| DVec3::new(place(face, lane), place(face + 1, lane), place(face + 2, lane));
-            let is_touched = |lane: usize| {
-                node.children[lane] != u32::MAX
-                    && hull.meets(&Bounds { min: corner(0, lane), max: corner(3, lane) })
-            };
+            let is_touched = |lane: usize| node.children[lane] != u32::MAX && hull.meets(&node.bounds(lane));
             (0..WIDTH).fold(0, |mask, lane| mask | u32::from(is_touched(lane)) << lane)
         };
         self.any_below(touched, test)
@@ -240,15 +247,9 @@ impl Bvh {
             return false;
         }
         let point = self.inner(point);
-        let low = point.to_array().map(|x| Vec4::splat(rounded_down(x)));
-        let high = point.to_array().map(|x| Vec4::splat(rounded_up(x)));
-        let around = |node: &Node| {
-            (0..3).fold(!0, |around, axis| {
-                let (first, last) = (&node.faces[axis], &node.faces[axis + 3]);
-                around & mask(|half| four(first, half).cmple(high[axis]) & four(last, half).cmpge(low[axis]))
-            })
-        };
-        self.any_below(around, test)
+        let low = point.to_array().map(rounded_down);
+        let high = point.to_array().map(rounded_up);
+        self.any_below(|node| node.around(low, high), test)
     }
 
     /// Whether `test` holds for any item below the children of which `near` gives the bits.
@@ -272,6 +273,14 @@ impl Bvh {
         }
         false
     }
+}
+
+/// The first of the children met, and its distance.
+#[inline(always)]
+fn take(near: &[f32; WIDTH], node: &Node, met: &mut u32) -> Waiting {
+    let lane = met.trailing_zeros() as usize % WIDTH;
+    *met &= met.wrapping_sub(1);
+    Waiting::new(near[lane], node.children[lane])
 }
 
 /// The items of a leaf.
@@ -298,6 +307,9 @@ fn far_first(children: &mut [Waiting]) {
 struct Waiting(u64);
 
 impl Waiting {
+    /// What is too far for any ray.
+    const NEVER: Self = Self(u64::MAX);
+
     /// The distance is not negative, so its bits have the order of the numbers.
     #[inline(always)]
     fn new(distance: f32, child: u32) -> Self {
@@ -312,77 +324,6 @@ impl Waiting {
     #[inline(always)]
     fn child(self) -> u32 {
         self.0 as u32
-    }
-}
-
-/// The lower or the upper half.
-#[inline(always)]
-fn four(lanes: &Lanes, half: usize) -> Vec4 {
-    Vec4::from_slice(&lanes[4 * half..])
-}
-
-/// The bits of the lanes that pass, four at a time.
-#[inline(always)]
-fn mask(pass: impl Fn(usize) -> BVec4A) -> u32 {
-    pass(0).bitmask() | pass(1).bitmask() << 4
-}
-
-/// A ray in the space of the boxes.
-struct Probe {
-    /// The origin, moved so far that rounding can't turn a hit into a miss: once for planes that
-    /// bound the near end of the overlap, once for those that bound the far end.
-    near: [f32; 3],
-    far: [f32; 3],
-    inverse: [f32; 3],
-    /// Whether a node's high faces are met first along each axis.
-    backward: [bool; 3],
-}
-
-impl Probe {
-    #[inline(always)]
-    fn new(origin: DVec3, direction: DVec3, blur: f32) -> Self {
-        let (origin, direction) = (origin.as_vec3().to_array(), direction.as_vec3().to_array());
-        let mut probe = Self { near: origin, far: origin, inverse: direction, backward: [false; 3] };
-        // Loops throughout: closures given to arrays' methods are not compiled for wide registers.
-        for axis in 0..3 {
-            let (o, d) = (origin[axis], direction[axis]);
-            let inverse = if d.abs() < LEAST_DIRECTION { LEAST_DIRECTION.copysign(d) } else { d }.recip();
-            let room = (o.abs() * SLACK + blur).copysign(inverse);
-            probe.near[axis] = o + room;
-            probe.far[axis] = o - room;
-            probe.inverse[axis] = inverse;
-            probe.backward[axis] = inverse < 0.0;
-        }
-        probe
-    }
-
-    /// Whether the ray is one: boxes of missing children are only missed by finite ones.
-    #[inline(always)]
-    fn is_sound(&self) -> bool {
-        (0..3).all(|axis| (self.near[axis] * self.inverse[axis]).is_finite())
-    }
-
-    /// Entry distances, none negative, and the bits of the boxes met before `far`.
-    #[inline(always)]
-    fn test(&self, node: &Node, far: f32) -> (Lanes, u32) {
-        let (mut entry, mut exit) = ([0.0; WIDTH], [far; WIDTH]);
-        for axis in 0..3 {
-            let (low, high) = (&node.faces[axis], &node.faces[axis + 3]);
-            let (first, last) = if self.backward[axis] { (high, low) } else { (low, high) };
-            let (start, end, inverse) = (self.near[axis], self.far[axis], self.inverse[axis]);
-            for lane in 0..WIDTH {
-                let (near, far) = ((first[lane] - start) * inverse, (last[lane] - end) * inverse);
-                entry[lane] = if near > entry[lane] { near } else { entry[lane] };
-                exit[lane] = if far < exit[lane] { far } else { exit[lane] };
-            }
-        }
-        for lane in 0..WIDTH {
-            entry[lane] *= 1.0 - SLACK;
-            exit[lane] *= 1.0 + SLACK;
-        }
-        let met = four(&entry, 0).cmple(four(&exit, 0)).bitmask()
-            | four(&entry, 1).cmple(four(&exit, 1)).bitmask() << 4;
-        (entry, met)
     }
 }
 

@@ -42,13 +42,12 @@ impl Linear {
     }
 }
 
-/// A ray prepared for being tested against boxes.
+/// A ray prepared for being tested against boxes; a fourth axis fills up wide registers.
 #[derive(Clone, Copy, Debug)]
 pub struct Slabs {
-    origin: DVec3,
-    inverse: DVec3,
-    /// Whether the ray meets the high faces first, along each axis.
-    backward: [bool; 3],
+    origin: [f64; 4],
+    /// The sign tells whether the ray meets the high faces first.
+    inverse: [f64; 4],
 }
 
 /// A slab's distance is off by at most three roundings.
@@ -58,10 +57,12 @@ impl Slabs {
     /// Prepares a ray.
     #[inline(always)]
     pub fn new(ray: &Ray) -> Self {
-        let inverse = ray.direction.recip();
-        let backward =
-            [inverse.x.is_sign_negative(), inverse.y.is_sign_negative(), inverse.z.is_sign_negative()];
-        Self { origin: ray.origin, inverse, backward }
+        let (origin, direction) = (four(ray.origin), four(ray.direction));
+        let mut inverse = [1.0; 4];
+        for axis in 0..4 {
+            inverse[axis] = 1.0 / direction[axis];
+        }
+        Self { origin, inverse }
     }
 
     /// Whether the box and the part of the ray in `range` share a point, or nearly so.
@@ -94,18 +95,22 @@ impl Slabs {
     /// Where the line enters the box and where it leaves; the wrong way round for a miss.
     #[inline(always)]
     fn overlap(&self, bounds: &Bounds) -> (f64, f64) {
-        let (origin, inverse) = (self.origin.to_array(), self.inverse.to_array());
         let (low, high) = (bounds.min.to_array(), bounds.max.to_array());
         let (mut entry, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..3 {
-            let (first, last) =
-                if self.backward[axis] { (high[axis], low[axis]) } else { (low[axis], high[axis]) };
-            let near = (first - origin[axis]) * inverse[axis];
-            let far = (last - origin[axis]) * inverse[axis];
+            let (o, inverse) = (self.origin[axis], self.inverse[axis]);
+            let backward = inverse.is_sign_negative();
+            let (first, last) = if backward { (high[axis], low[axis]) } else { (low[axis], high[axis]) };
+            let (near, far) = ((first - o) * inverse, (last - o) * inverse);
             // 0 * infinity is no number: the ray lies in the plane of the face, which bounds nothing.
             entry = if near > entry { near } else { entry };
             exit = if far < exit { far } else { exit };
         }
         (entry, exit)
     }
+}
+
+#[inline(always)]
+fn four(v: DVec3) -> [f64; 4] {
+    [v.x, v.y, v.z, 1.0]
 }

@@ -7,6 +7,7 @@ mod build;
 mod bvh;
 mod hull;
 mod linear;
+mod node;
 mod octree;
 #[cfg(test)]
 mod tests;

@@ -8,18 +8,21 @@
 //!
 //! `gather` finds the members near a ray and their crossings, `survive` decides about these.
 
+mod convex;
 mod gather;
 mod scratch;
 mod survive;
 
+pub(super) use convex::is_convex;
 pub(super) use scratch::Found;
 use survive::Tree;
 
 use super::object::{Member, RayKind};
-use super::parts::Parts;
+use super::parts::{Group, Parts};
 use super::ray::{Range, Ray};
 use super::shape::{Crossing, Shape};
 use crate::math::DVec3;
+use crate::math::wide::widest;
 
 impl Parts {
     /// Whether `point` is inside a member and its clips.
@@ -71,6 +74,45 @@ impl Parts {
 
     /// As [`Parts::nearest`], for what is cut or made of several primitives.
     fn nearest_of_many(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
+        if let Some(group) = self.as_convex(member) {
+            if self.is_hidden(group, kind) {
+                return None;
+            }
+            if let Some(nearest) = self.nearest_of_convex(group, ray, range) {
+                return nearest;
+            }
+        }
+        self.nearest_of_any(member, ray, range, kind)
+    }
+
+    /// Whether anything of an object's surface is in `range`.
+    pub(super) fn occludes(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> bool {
+        if let Some(group) = self.as_convex(member) {
+            if self.is_hidden(group, kind) {
+                return false;
+            }
+            if let Some(occludes) = self.occludes_convex(group, ray, range) {
+                return occludes;
+            }
+        }
+        self.nearest_of_any(member, ray, range, kind).is_some()
+    }
+
+    /// The member if it is a compound of a few convex solids.
+    fn as_convex(&self, member: Member) -> Option<&Group> {
+        let Member::Group(number) = member else { return None };
+        Some(self.group(number)).filter(|group| group.convex && group.limits.is_none())
+    }
+
+    /// Whether such rays don't see a compound whose members are all hidden from the same.
+    fn is_hidden(&self, group: &Group, kind: RayKind) -> bool {
+        let hidden =
+            |&member| matches!(member, Member::Leaf(leaf) if self.leaf(leaf).hidden.intersects(kind));
+        group.members.first().is_some_and(hidden)
+    }
+
+    /// The same, however close faces are.
+    fn nearest_of_any(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
         self.with_crossings(member, ray, range, kind, |scratch| {
             let (found, tree) = (&scratch.found, Tree::new(self, ray, scratch));
             let first = (0..found.len()).find(|&i| range.contains(found[i].t()) && tree.survives(i))?;
@@ -97,6 +139,18 @@ impl Parts {
         kind: RayKind,
         mut visit: impl FnMut(Found) -> bool,
     ) -> bool {
+        if let Some(group) = self.as_convex(member) {
+            if self.is_hidden(group, kind) {
+                return false;
+            }
+            let known = widest(
+                #[inline(always)]
+                || self.along_convex(group, ray, range, &mut visit),
+            );
+            if let Some(stopped) = known {
+                return stopped;
+            }
+        }
         let stopped = self.with_crossings(member, ray, range, kind, |scratch| {
             let (found, tree) = (&scratch.found, Tree::new(self, ray, scratch));
             (0..found.len())
@@ -125,6 +179,11 @@ impl Parts {
         let scale = ray.origin.abs().max_element() + crossing.t.abs() * length;
         gap <= 1.1 * COARSE * scale / length && gap <= self.slack(ray, leaf, crossing)
     }
+}
+
+/// Greatest distance within which crossings at `t` may be one, as rounding goes.
+pub(super) fn coarse(ray: &Ray, t: f64) -> f64 {
+    COARSE * ray.origin.abs().max(ray.at(t).abs()).max_element() / ray.direction.length()
 }
 
 /// Rounding error of a crossing seen head on, relative to the coordinates.

@@ -1,6 +1,6 @@
 //! `box { corner, corner }` (docs/spec/primitives.md 3.2).
 
-use super::stretch::Stretch;
+use super::stretch::{End, Stretch};
 use super::{Crossing, Shape};
 use crate::math::{Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
@@ -14,48 +14,95 @@ pub struct Cuboid {
     pub max: DVec3,
 }
 
+/// The distances of a line to the faces along each axis: where it comes inside of them and where it goes
+/// out; infinite ones along axes that it doesn't advance on.
+struct Faces {
+    near: [f64; 3],
+    far: [f64; 3],
+}
+
+/// Rounding that may part the distances of faces which meet in an edge.
+const EDGE: f64 = 4.0 * f64::EPSILON;
+
+impl Faces {
+    /// The last of the near ones and the first of the far ones.
+    #[inline(always)]
+    fn between(&self) -> (f64, f64) {
+        let ([a, b, c], [d, e, f]) = (self.near, self.far);
+        let (enter, leave) = (if b > a { b } else { a }, if e < d { e } else { d });
+        (if c > enter { c } else { enter }, if f < leave { f } else { leave })
+    }
+}
+
 impl Cuboid {
+    #[inline(always)]
+    fn faces(&self, ray: &Ray) -> Faces {
+        let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
+        let (min, max) = (self.min.to_array(), self.max.to_array());
+        let (mut near, mut far) = ([0.0; 3], [0.0; 3]);
+        for axis in 0..3 {
+            let (o, d) = (origin[axis], direction[axis]);
+            let (first, last) =
+                if d.is_sign_negative() { (max[axis], min[axis]) } else { (min[axis], max[axis]) };
+            let (enter, leave) = ((first - o) / d, (last - o) / d);
+            // 0 / 0 is no number: the line runs in the plane of the face, which bounds nothing.
+            near[axis] = if enter > f64::NEG_INFINITY { enter } else { f64::NEG_INFINITY };
+            far[axis] = if leave < f64::INFINITY { leave } else { f64::INFINITY };
+        }
+        Faces { near, far }
+    }
+
+    #[inline(always)]
+    fn enter(faces: &Faces, ray: &Ray) -> End {
+        let axis = outermost(&faces.near, 1.0, ray.direction);
+        End { t: faces.near[axis], part: 2 * axis as u32 + u32::from(ray.direction[axis] < 0.0) }
+    }
+
+    #[inline(always)]
+    fn leave(faces: &Faces, ray: &Ray) -> End {
+        let axis = outermost(&faces.far, -1.0, ray.direction);
+        End { t: faces.far[axis], part: 2 * axis as u32 + u32::from(ray.direction[axis] > 0.0) }
+    }
+
+    /// The distances between which a line is inside.
+    #[inline]
+    pub(super) fn span(&self, ray: &Ray) -> Option<[f64; 2]> {
+        let (enter, leave) = self.faces(ray).between();
+        (enter <= leave).then_some([enter, leave])
+    }
+
     /// Where faces meet, the one that faces the ray most gives the part, as in POV-Ray.
     #[inline]
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
-        let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
-        let (min, max) = (self.min.to_array(), self.max.to_array());
-        let (mut near, mut far) = ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]);
-        for axis in 0..3 {
-            let (o, d) = (origin[axis], direction[axis]);
-            let between = if d == 0.0 {
-                min[axis] <= o && o <= max[axis]
-            } else {
-                let (first, last) = if d > 0.0 { (min[axis], max[axis]) } else { (max[axis], min[axis]) };
-                near[axis] = (first - o) / d;
-                far[axis] = (last - o) / d;
-                near[axis] <= far[axis]
-            };
-            if !between {
-                return None;
-            }
+        let faces = self.faces(ray);
+        let (enter, leave) = faces.between();
+        if enter - leave > EDGE * enter.abs() {
+            return None;
         }
-        let (mut enter, mut leave) = (0, 0);
-        for axis in 1..3 {
-            let steeper = |other: usize| direction[axis].abs() > direction[other].abs();
-            if takes_over(near[axis], near[enter], 1.0, steeper(enter)) {
-                enter = axis;
-            }
-            if takes_over(far[axis], far[leave], -1.0, steeper(leave)) {
-                leave = axis;
-            }
-        }
-        let part = |axis: usize, high: bool| 2 * axis as u32 + u32::from(high);
-        let (enters_high, leaves_high) = (direction[enter] < 0.0, direction[leave] > 0.0);
-        Stretch::new(near[enter], part(enter, enters_high), far[leave], part(leave, leaves_high))
+        let (enter, leave) = (Self::enter(&faces, ray), Self::leave(&faces, ray));
+        (enter.t <= leave.t).then_some(Stretch { enter, leave })
     }
+}
+
+/// The axis on which a line comes last inside of the faces, or for a `sign` of -1 goes first out of them.
+#[inline(always)]
+fn outermost(distances: &[f64; 3], sign: f64, direction: DVec3) -> usize {
+    let direction = direction.to_array();
+    let mut found = 0;
+    for axis in 1..3 {
+        let steeper = direction[axis].abs() > direction[found].abs();
+        if takes_over(distances[axis], distances[found], sign, steeper) {
+            found = axis;
+        }
+    }
+    found
 }
 
 /// Whether `t` lies beyond `other` in the sense of `sign`, or beside it within their rounding and `steeper`.
 #[inline]
 fn takes_over(t: f64, other: f64, sign: f64, steeper: bool) -> bool {
     let beyond = sign * (t - other);
-    if beyond.abs() <= 4.0 * f64::EPSILON * t.abs() { steeper } else { beyond > 0.0 }
+    if beyond.abs() <= EDGE * t.abs() { steeper } else { beyond > 0.0 }
 }
 
 impl Shape for Cuboid {
@@ -71,16 +118,41 @@ impl Shape for Cuboid {
 
     #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        self.stretch(ray)?.nearest(range)
+        let faces = self.faces(ray);
+        let (enter, leave) = faces.between();
+        let room = EDGE * enter.abs();
+        if enter - leave > room || leave <= range.min && range.min - leave > EDGE * leave.abs() {
+            return None;
+        }
+        let (first, last) = (Self::enter(&faces, ray), || Self::leave(&faces, ray));
+        // Rounding can only spoil the order of the ends where the line grazes an edge.
+        if leave - enter <= room && first.t > last().t {
+            return None;
+        }
+        if range.contains(first.t) {
+            return Some(first.into());
+        }
+        Some(last()).filter(|end| range.contains(end.t)).map(Crossing::from)
+    }
+
+    #[inline]
+    fn occludes(&self, ray: &Ray, range: Range) -> bool {
+        let (enter, leave) = self.faces(ray).between();
+        enter <= leave && (range.contains(enter) || range.contains(leave))
     }
 
     fn inside(&self, point: DVec3) -> bool {
         self.bounds().contains(point)
     }
 
+    #[inline]
     fn normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
         let sign = if crossing.part.is_multiple_of(2) { -1.0 } else { 1.0 };
-        sign * DVec3::AXES[crossing.part as usize / 2]
+        match crossing.part / 2 {
+            0 => DVec3::new(sign, 0.0, 0.0),
+            1 => DVec3::new(0.0, sign, 0.0),
+            _ => DVec3::new(0.0, 0.0, sign),
+        }
     }
 
     /// The faces of a cube folded out as a cross.
@@ -97,11 +169,15 @@ impl Shape for Cuboid {
         })
     }
 
+    #[inline]
     fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
-        let axis = crossing.part as usize / 2;
-        let mut on = point.clamp(self.min, self.max);
-        on[axis] = if crossing.part.is_multiple_of(2) { self.min[axis] } else { self.max[axis] };
-        on
+        let on = point.max(self.min).min(self.max);
+        let face = if crossing.part.is_multiple_of(2) { self.min } else { self.max };
+        match crossing.part / 2 {
+            0 => on.with_x(face.x),
+            1 => on.with_y(face.y),
+            _ => on.with_z(face.z),
+        }
     }
 }
 

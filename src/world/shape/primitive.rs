@@ -50,6 +50,30 @@ impl Primitive {
         !matches!(self, Self::Triangle(_) | Self::Mesh(_) | Self::Other(_))
     }
 
+    /// The point of a surface that is simple next to a computed one, and its unit normal there.
+    #[inline]
+    pub fn touched(&self, point: DVec3, crossing: &Crossing) -> (DVec3, DVec3) {
+        match self {
+            Self::Sphere(sphere) => sphere.touched(point),
+            Self::Box(cuboid) => (cuboid.reproject(point, crossing), cuboid.normal(point, crossing)),
+            Self::Plane(plane) => (plane.reproject(point, crossing), plane.normal),
+            _ => {
+                let on = self.reproject(point, crossing);
+                (on, self.normal(on, crossing).normalize_or_zero())
+            }
+        }
+    }
+
+    /// The distances between which a line is inside a shape of which [`Primitive::convex`] knows; ends that
+    /// lie on an edge may be less exact than there.
+    #[inline(always)]
+    pub fn span(&self, ray: &Ray) -> Option<[f64; 2]> {
+        match self {
+            Self::Box(cuboid) => cuboid.span(ray),
+            _ => self.convex(ray)?.map(|stretch| [stretch.enter.t, stretch.leave.t]),
+        }
+    }
+
     /// Where a line is inside, if the shape is convex and all of its border is surface; the inner
     /// `None` where it is outside all along.
     #[inline]

@@ -34,6 +34,15 @@ impl Sphere {
     }
 }
 
+impl Sphere {
+    /// The surface's point next to a computed one, and its unit normal there.
+    #[inline]
+    pub(super) fn touched(&self, point: DVec3) -> (DVec3, DVec3) {
+        let from = (point - self.center).normalize_or_zero();
+        (self.center + from * self.radius.abs(), if self.radius < 0.0 { -from } else { from })
+    }
+}
+
 impl Shape for Sphere {
     fn bounds(&self) -> Bounds {
         let half = DVec3::splat(self.radius.abs());
@@ -68,8 +77,7 @@ impl Shape for Sphere {
     }
 
     fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
-        let from = point - self.center;
-        self.center + from * (self.radius.abs() / from.length())
+        self.touched(point).0
     }
 }
 

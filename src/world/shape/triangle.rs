@@ -1,14 +1,14 @@
 //! `triangle` and `smooth_triangle` (docs/spec/primitives.md 4.1), and the test meshes share.
 
 use super::{Crossing, Shape};
-use crate::math::{Bounds, DVec3};
+use crate::math::{Bounds, DVec3, Transform};
 use crate::world::{Range, Ray};
 
 /// Three corners, edges included; [`Crossing::at`] are the weights of the second and third.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
     corners: [DVec3; 3],
-    /// Unit normals at the corners of a smooth one.
+    /// Normals at the corners of a smooth one.
     normals: Option<Box<[DVec3; 3]>>,
 }
 
@@ -18,6 +18,15 @@ impl Triangle {
         let area = face_normal(corners);
         let normals = normals.map(|all| Box::new(all.map(|n| n.normalize_or(DVec3::X))));
         (area != DVec3::ZERO && area.is_finite()).then_some(Self { corners, normals })
+    }
+
+    /// Where a transform takes it; `None` where the corners run the other way round there, or lie on a line.
+    pub fn transformed(&self, by: &Transform) -> Option<Self> {
+        let corners = self.corners.map(|corner| by.point(corner));
+        let area = face_normal(corners);
+        let kept = by.forward.matrix3.determinant() > 0.0 && area != DVec3::ZERO && area.is_finite();
+        let normals = self.normals.as_ref().map(|normals| Box::new(normals.map(|normal| by.normal(normal))));
+        kept.then_some(Self { corners, normals })
     }
 }
 

@@ -1,0 +1,296 @@
+//! Compounds of a few convex solids: their surface from the stretches of the ray inside of each.
+//!
+//! Where faces coincide nothing is decided here: the caller asks the general way then.
+
+use smallvec::SmallVec;
+
+use super::COARSE;
+use super::scratch::Found;
+use crate::math::wide::widest;
+use crate::world::object::{LeafFlags, Member};
+use crate::world::parts::{Group, Operation, Parts};
+use crate::world::ray::{Range, Ray};
+use crate::world::shape::Crossing;
+
+/// Compounds of more members are searched by boxes.
+pub(in crate::world) const MOST: usize = 8;
+
+/// Two faces are too close to each other to tell which comes first.
+struct Unclear;
+
+/// The stretches of a ray inside of the members of a compound that it meets.
+struct Stretches {
+    enter: [f64; MOST],
+    leave: [f64; MOST],
+    /// The members' numbers among the leaves.
+    leaves: [u32; MOST],
+    /// Whether they are turned inside out.
+    inverted: [bool; MOST],
+    count: usize,
+    /// How far coincident faces may be apart: at the ray's origin, and more for each unit of distance.
+    room: [f64; 2],
+}
+
+/// An end of a stretch, or the start of the ray.
+#[derive(Clone, Copy)]
+struct Edge {
+    t: f64,
+    /// Whose it is; [`MOST`] for nobody's.
+    place: usize,
+    /// Whether the ray leaves the member there.
+    leaves: bool,
+}
+
+impl Edge {
+    /// Where no member has an end.
+    fn at(t: f64) -> Self {
+        Self { t, place: MOST, leaves: false }
+    }
+}
+
+/// Whether a compound is of such a kind.
+pub(in crate::world) fn is_convex(operation: Operation, members: &[Member], parts: &Parts) -> bool {
+    let hidden = |member: &Member| match *member {
+        Member::Leaf(number) => {
+            let leaf = parts.leaf(number);
+            let inverted = leaf.flags.contains(LeafFlags::INVERTED);
+            let combines = operation == Operation::Intersection || operation == Operation::Merge && !inverted;
+            (leaf.is_convex() && combines).then_some(leaf.hidden)
+        }
+        Member::Group(_) => None,
+    };
+    let first = members.first().and_then(hidden);
+    first.is_some() && members.len() <= MOST && members.iter().all(|member| hidden(member) == first)
+}
+
+impl Parts {
+    /// The nearest point in `range` of the surface of a compound of convex solids; `None` where faces are
+    /// too close to each other to tell.
+    pub(super) fn nearest_of_convex(&self, group: &Group, ray: &Ray, range: Range) -> Option<Option<Found>> {
+        if range.min == f64::NEG_INFINITY {
+            return None;
+        }
+        widest(
+            #[inline(always)]
+            || {
+                let mut stretches = Stretches::new(ray);
+                if !self.meet(group, ray, range, &mut stretches) {
+                    return Some(None);
+                }
+                let edge = stretches.nearest(group.operation, range).ok()?;
+                Some(
+                    edge.filter(|edge| range.contains(edge.t))
+                        .and_then(|edge| self.found(ray, &stretches, edge)),
+                )
+            },
+        )
+    }
+
+    /// Whether anything of such a compound is in `range`.
+    pub(super) fn occludes_convex(&self, group: &Group, ray: &Ray, range: Range) -> Option<bool> {
+        if range.min == f64::NEG_INFINITY {
+            return None;
+        }
+        widest(
+            #[inline(always)]
+            || {
+                let mut stretches = Stretches::new(ray);
+                if !self.meet(group, ray, range, &mut stretches) {
+                    return Some(false);
+                }
+                let edge = stretches.nearest(group.operation, range).ok()?;
+                Some(edge.is_some_and(|edge| range.contains(edge.t)))
+            },
+        )
+    }
+
+    /// The crossing at an edge.
+    #[inline(always)]
+    fn found(&self, ray: &Ray, stretches: &Stretches, edge: Edge) -> Option<Found> {
+        let number = stretches.leaves[edge.place % MOST];
+        let leaf = self.leaf(number);
+        let stretch = leaf.primitive.convex(&leaf.inner(ray))??;
+        let end = if edge.leaves { stretch.leave } else { stretch.enter };
+        Some(Found { crossing: Crossing::from(end), leaf: number, near: 0 })
+    }
+
+    /// All points in `range` of the surface of such a compound, in ascending order, until `visit` says to
+    /// stop; whether it did. `None` where faces are too close to each other to tell.
+    #[inline(always)]
+    pub(super) fn along_convex(
+        &self,
+        group: &Group,
+        ray: &Ray,
+        mut range: Range,
+        visit: impl FnMut(Found) -> bool,
+    ) -> Option<bool> {
+        if range.min == f64::NEG_INFINITY {
+            return None;
+        }
+        let mut stretches = Stretches::new(ray);
+        if !self.meet(group, ray, range, &mut stretches) {
+            return Some(false);
+        }
+        let mut edges = SmallVec::<[Edge; 2 * MOST]>::new();
+        while let Some(edge) = stretches.nearest(group.operation, range).ok()? {
+            if edge.t >= range.max {
+                break;
+            }
+            edges.push(edge);
+            range.min = edge.t;
+        }
+        Some(edges.into_iter().filter_map(|edge| self.found(ray, &stretches, edge)).any(visit))
+    }
+
+    /// Finds where a ray is inside of each member; whether it may meet the whole.
+    #[inline(always)]
+    fn meet(&self, group: &Group, ray: &Ray, range: Range, all: &mut Stretches) -> bool {
+        let common = group.operation == Operation::Intersection;
+        for &member in &group.members {
+            let Member::Leaf(number) = member else { continue };
+            let leaf = self.leaf(number);
+            let inverted = leaf.flags.contains(LeafFlags::INVERTED);
+            let met = leaf.primitive.span(&leaf.inner(ray)).filter(|&[enter, leave]| {
+                !all.is_before(leave, range.min) && !all.is_before(range.max, enter)
+            });
+            match met {
+                Some([enter, leave]) => {
+                    let place = all.count % MOST;
+                    all.enter[place] = enter;
+                    all.leave[place] = leave;
+                    all.leaves[place] = number;
+                    all.inverted[place] = inverted;
+                    all.count = place + 1;
+                }
+                None if common && !inverted => return false,
+                None => {}
+            }
+        }
+        true
+    }
+}
+
+impl Stretches {
+    #[inline(always)]
+    fn new(ray: &Ray) -> Self {
+        Self {
+            enter: [0.0; MOST],
+            leave: [0.0; MOST],
+            leaves: [0; MOST],
+            inverted: [false; MOST],
+            count: 0,
+            room: [COARSE * ray.origin.abs().max_element() / ray.direction.length(), COARSE],
+        }
+    }
+
+    /// How far from `t` a coincident face may be.
+    #[inline(always)]
+    fn room(&self, t: f64) -> f64 {
+        self.room[0] + self.room[1] * t.abs()
+    }
+
+    /// Whether `t` comes before `other`, rounding or not.
+    #[inline(always)]
+    fn is_before(&self, t: f64, other: f64) -> bool {
+        other - t > self.room(t)
+    }
+
+    /// The edge, if no other is so close that they may coincide.
+    #[inline(always)]
+    fn clear(&self, edge: Edge) -> Result<Edge, Unclear> {
+        let room = self.room(edge.t);
+        let mut close = 0;
+        for place in 0..self.count.min(MOST) {
+            close += u32::from((self.enter[place] - edge.t).abs() <= room);
+            close += u32::from((self.leave[place] - edge.t).abs() <= room);
+        }
+        // It is close to itself.
+        if close <= 1 { Ok(edge) } else { Err(Unclear) }
+    }
+
+    #[inline(always)]
+    fn nearest(&self, operation: Operation, range: Range) -> Result<Option<Edge>, Unclear> {
+        match operation {
+            Operation::Intersection => self.nearest_common(range.min),
+            Operation::Merge | Operation::Union => self.nearest_of_any(range.min),
+        }
+    }
+
+    /// The nearest surface behind `start` of what is in all members.
+    #[inline(always)]
+    fn nearest_common(&self, start: f64) -> Result<Option<Edge>, Unclear> {
+        let (mut enter, mut leave) = (Edge::at(f64::NEG_INFINITY), Edge::at(f64::INFINITY));
+        let count = self.count.min(MOST);
+        for place in 0..count {
+            if !self.inverted[place] {
+                if self.enter[place] > enter.t {
+                    enter = Edge { t: self.enter[place], place, leaves: false };
+                }
+                if self.leave[place] < leave.t {
+                    leave = Edge { t: self.leave[place], place, leaves: true };
+                }
+            }
+        }
+        if self.is_before(leave.t, enter.t) {
+            return Ok(None);
+        }
+        if leave.t <= start {
+            return self.clear(leave).map(|_| None);
+        }
+        let first = if enter.t <= start { Edge::at(start) } else { self.clear(enter)? };
+        let Some(at) = self.behind(first, true)?.filter(|at| at.t < leave.t) else {
+            return Ok(None);
+        };
+        if at.place < MOST {
+            return Ok(Some(at));
+        }
+        // The ray starts in the solid and meets what ends it first.
+        let mut first = leave;
+        for place in 0..count {
+            let t = self.enter[place];
+            if self.inverted[place] && t > start && t < first.t {
+                first = Edge { t, place, leaves: false };
+            }
+        }
+        if first.t == f64::INFINITY { Ok(None) } else { self.clear(first).map(Some) }
+    }
+
+    /// The nearest surface behind `start` of what is in any member; none is turned inside out.
+    #[inline(always)]
+    fn nearest_of_any(&self, start: f64) -> Result<Option<Edge>, Unclear> {
+        let Some(at) = self.behind(Edge::at(start), false)? else {
+            return Ok(None);
+        };
+        if at.place < MOST {
+            return Ok(Some(at));
+        }
+        let mut first = Edge::at(f64::INFINITY);
+        for place in 0..self.count.min(MOST) {
+            let t = self.enter[place];
+            if t > start && t < first.t {
+                first = Edge { t, place, leaves: false };
+            }
+        }
+        if first.t == f64::INFINITY { Ok(None) } else { self.clear(first).map(Some) }
+    }
+
+    /// The first point from `at` on that is in none of the members, or of those turned inside out.
+    #[inline(always)]
+    fn behind(&self, mut at: Edge, inverted: bool) -> Result<Option<Edge>, Unclear> {
+        let count = self.count.min(MOST);
+        let mut place = 0;
+        while place < count {
+            let (enter, leave) = (self.enter[place], self.leave[place]);
+            if self.inverted[place] == inverted && enter <= at.t && at.t < leave {
+                if leave == f64::INFINITY {
+                    return Ok(None);
+                }
+                at = self.clear(Edge { t: leave, place, leaves: true })?;
+                place = 0;
+            } else {
+                place += 1;
+            }
+        }
+        Ok(Some(at))
+    }
+}
