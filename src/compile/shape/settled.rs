@@ -52,7 +52,8 @@ mod tests {
         for number in 0..400 {
             let angle = f64::from(number);
             let origin = 9.0 * DVec3::new(angle.cos(), (0.7 * angle).sin(), (1.3 * angle).cos());
-            let target = DVec3::new((2.1 * angle).sin(), (3.3 * angle).cos(), 1.0);
+            let inside = DVec3::new((2.1 * angle).sin(), (3.3 * angle).cos(), (0.9 * angle).sin());
+            let target = transform.point(0.7 * inside);
             let ray = Ray::new(origin, (target - origin).normalize());
             let inner = ray.to_inner(transform);
             let there = primitive.nearest(&inner, Range::AHEAD);

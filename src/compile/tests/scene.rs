@@ -77,6 +77,27 @@ fn of_coincident_objects_the_first_is_seen_and_of_coincident_members_the_last() 
 }
 
 #[test]
+fn the_ground_is_seen_under_what_stands_on_it() {
+    let ground = || plane(DVec3::Z, 1.0);
+    let turned = moved(unit_box(), Transform::rotate(v(0., 0., 37.)));
+    for solid in [unit_box(), turned, cylinder(-DVec3::Z, DVec3::Z, 1.0)] {
+        let below = |objects: &[Arc<Object>]| {
+            let geometry = geometry(objects);
+            // Slanted rays from inside, so that rounding has a say.
+            let rays = (0..50).map(|i| v(0.01 * f64::from(i) - 0.25, 0.003 * f64::from(i), 1.0));
+            let hits = rays.map(|way| hit(&geometry, v(0.1, 0.05, -0.3), way, RayKind::IMAGE).unwrap());
+            hits.map(|hit| hit.leaf).collect::<Vec<_>>()
+        };
+        assert_eq!(below(&[solid.clone(), ground()]), [1; 50]);
+        assert_eq!(below(&[ground(), solid]), [0; 50]);
+    }
+    // What is near it is not on it.
+    let near = cube(-DVec3::ONE, v(1., 1., 1. - 1e-9));
+    let geometry = geometry(&[near, ground()]);
+    assert_eq!(hit(&geometry, DVec3::ZERO, DVec3::Z, RayKind::IMAGE).unwrap().leaf, 0);
+}
+
+#[test]
 fn unions_are_dissolved_unless_they_cut_or_are_cut() {
     let pair = || union([sphere(-DVec3::X, 0.5), union([sphere(DVec3::X, 0.5), unit_box()])]);
     let count = |object: Arc<Object>| flat(&[object], Accelerator::Auto).parts.objects.len();
