@@ -53,8 +53,9 @@ fn traversals(c: &mut Criterion) {
                 let mut through = Vec::new();
                 group.bench_function(BenchmarkId::new(name, "any"), |b| {
                     b.iter(|| {
-                        let mut blocked =
-                            |ray| geometry.occluders(black_box(ray), Range::AHEAD, &mut through).is_some();
+                        let mut blocked = |ray| {
+                            geometry.occluders(black_box(ray), Range::AHEAD, None, &mut through).is_some()
+                        };
                         rays.iter().filter(|ray| blocked(ray)).count()
                     });
                 });
