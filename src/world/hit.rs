@@ -1,8 +1,6 @@
 //! Questions to the geometry of a world: what does a ray meet, what is in the way of light, what
 //! is a point inside of.
 
-use std::cell::LazyCell;
-
 use smallvec::SmallVec;
 
 use super::accel::{Accel, Hull, Slabs};
@@ -192,13 +190,14 @@ impl Geometry {
         self.occluders_of(&self.parts.objects[number as usize], number, ray, range, &mut Vec::new())
     }
 
-    /// The objects that may stand in the way of light on straight ways inside of `hull`; `None` if
-    /// they are too many to be worth knowing.
+    /// The objects that may stand in the way of light on straight ways inside of `hull`, most of which
+    /// lead to its first point; `None` if they are too many to be worth knowing.
     pub fn between(&self, hull: &Hull) -> Option<Nearby> {
         let mut found = Nearby::new();
+        let eye = hull.points()[0];
         let mut add = |number: u32| {
             if self.is_near(number, hull) {
-                found.extend(Screen::new(number, &self.parts.objects[number as usize], &self.parts));
+                found.extend(Screen::new(number, &self.parts.objects[number as usize], &self.parts, eye));
             }
             found.len() > FEW
         };
@@ -234,16 +233,16 @@ impl Geometry {
             return None;
         }
         let way = (ray.direction * range.max).to_array();
-        let slabs = LazyCell::new(|| Slabs::new(ray));
         let blocker = among.iter().find(|screen| {
             let verdict = screen.from(ray.origin).verdict(way);
             if verdict != UNKNOWN {
                 return verdict == SHUT;
             }
             let object = &self.parts.objects[screen.object as usize];
-            let bounds = &self.parts.extent(object.member).bounds;
-            let near = !screen.is_bounded() || slabs.meet(bounds, range);
-            near && self.occluders_of(object, screen.object, ray, range, through)
+            // Where a lone primitive is asked, its box needn't be.
+            let near = || Slabs::new(ray).meet(&self.parts.extent(object.member).bounds, range);
+            let asked = matches!(object.member, Member::Leaf(_)) || !screen.is_bounded() || near();
+            asked && self.occluders_of(object, screen.object, ray, range, through)
         });
         self.sort_occluders(ray, through);
         blocker.map(|screen| screen.object)

@@ -22,6 +22,9 @@ pub struct Screen {
     outer: f64,
     /// It fills the ball of this radius, and lets no light through; negative for none.
     inner: f64,
+    /// A point that many ways lead to, and the screen as seen from there.
+    eye: DVec3,
+    view: View,
 }
 
 /// Whether a screen is in the way. The greatest verdict of several screens is that of all.
@@ -35,7 +38,7 @@ pub const UNKNOWN: Verdict = 1.0;
 pub const SHUT: Verdict = 2.0;
 
 /// A screen as a point sees it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// To the balls' middle.
     toward: DVec3,
@@ -47,8 +50,9 @@ pub struct View {
 }
 
 impl Screen {
-    /// The screen that an object is; `None` for one that throws no shadows.
-    pub(super) fn new(number: u32, object: &Object, parts: &Parts) -> Option<Self> {
+    /// The screen that an object is for ways that mostly lead to `eye`; `None` for one that throws no
+    /// shadows.
+    pub(super) fn new(number: u32, object: &Object, parts: &Parts, eye: DVec3) -> Option<Self> {
         let bounds = &parts.extent(object.member).bounds;
         let (mut center, mut outer, mut inner) = (bounds.center(), bounds.size().length() / 2.0, -1.0);
         if let Member::Leaf(leaf) = object.member {
@@ -61,7 +65,8 @@ impl Screen {
                 inner = if leaf.flags.contains(LeafFlags::OPAQUE) { balls.inner } else { -1.0 };
             }
         }
-        Some(Self { object: number, center, outer, inner })
+        let view = View::of(center, outer, inner, eye);
+        Some(Self { object: number, center, outer, inner, eye, view })
     }
 
     /// Whether it ends on every side.
@@ -73,24 +78,30 @@ impl Screen {
     /// The screen as seen from a point.
     #[inline(always)]
     pub fn from(&self, point: DVec3) -> View {
-        let toward = self.center - point;
-        let square = toward.length_squared();
-        let rounding = ROUNDING * point.abs().max(self.center.abs()).max_element();
-        let outer = self.outer * (1.0 + BLUR) + rounding;
-        let inner = self.inner * (1.0 - BLUR) - rounding;
-        let outside = square * (1.0 - ROUNDING) - outer * outer;
-        let beyond = square * (1.0 + ROUNDING) - inner * inner;
-        View {
-            toward,
-            outer: if outside > 0.0 { outside } else { f64::NEG_INFINITY },
-            inner: if inner > 0.0 && outside > 0.0 { beyond } else { f64::INFINITY },
-            // Where rays start on a ball it is far enough outside not to meet it again.
-            away: if square > self.outer * self.outer { 0.0 } else { f64::NEG_INFINITY },
-        }
+        if point == self.eye { self.view } else { View::of(self.center, self.outer, self.inner, point) }
     }
 }
 
 impl View {
+    /// The balls of two radii as seen from a point.
+    #[inline]
+    fn of(center: DVec3, outer_radius: f64, inner_radius: f64, point: DVec3) -> Self {
+        let toward = center - point;
+        let square = toward.length_squared();
+        let rounding = ROUNDING * point.abs().max(center.abs()).max_element();
+        let outer = outer_radius * (1.0 + BLUR) + rounding;
+        let inner = inner_radius * (1.0 - BLUR) - rounding;
+        let outside = square * (1.0 - ROUNDING) - outer * outer;
+        let beyond = square * (1.0 + ROUNDING) - inner * inner;
+        Self {
+            toward,
+            outer: if outside > 0.0 { outside } else { f64::NEG_INFINITY },
+            inner: if inner > 0.0 && outside > 0.0 { beyond } else { f64::INFINITY },
+            // Where rays start on a ball it is far enough outside not to meet it again.
+            away: if square > outer_radius * outer_radius { 0.0 } else { f64::NEG_INFINITY },
+        }
+    }
+
     /// Whether it is in the way of light that comes along `way`, from its end to the point.
     #[inline(always)]
     pub fn verdict(&self, [x, y, z]: [f64; 3]) -> Verdict {
@@ -161,7 +172,7 @@ mod tests {
             let way = lamp - from;
             let nearest = from + way * ((center - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
             let distance = nearest.distance(center);
-            let view = Screen { object: 0, center, outer, inner }.from(from);
+            let view = View::of(center, outer, inner, from);
             let verdict = view.verdict(way.to_array());
             seen[verdict as usize] += 1;
             assert!(verdict != OPEN || distance > outer, "{from} {lamp} {center} {outer}");

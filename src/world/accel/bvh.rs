@@ -11,7 +11,7 @@ use smallvec::SmallVec;
 use super::Hull;
 use super::build::{self, Item};
 use super::linear::Slabs;
-use super::node::{Node, Probe, SLACK, WIDTH};
+use super::node::{NEAR, Node, Probe, SLACK, WIDTH};
 use crate::math::{Bounds, DVec3};
 use crate::world::ray::{Range, Ray};
 
@@ -27,13 +27,6 @@ pub(super) const LONGEST_RUN: usize = 8;
 /// Bound on the rounding errors of double precision arithmetic on points.
 const BLUR: f64 = 8.0 * f64::EPSILON;
 
-/// Rays that start so near, in the space of the boxes, need not be moved up to them.
-const NEAR: f64 = 8.0;
-
-/// The largest component of directions that need not be scaled.
-const LEAST_SPAN: f64 = 1e-3;
-const GREATEST_SPAN: f64 = 1e3;
-
 /// Makes up for rounding in single precision, also that of the distances of boxes.
 const UP: f32 = 1.0 + 2.0 * SLACK;
 
@@ -47,8 +40,8 @@ pub struct Bvh {
     whole: Bounds,
     center: DVec3,
     scale: f64,
-    /// What rounding in double precision does to points in the space of the boxes, but for that of the ray.
-    blur: f64,
+    /// What rounding in double precision does to a point near the boxes, in their space.
+    blur: f32,
 }
 
 /// A ray on its way through the boxes.
@@ -91,7 +84,8 @@ impl Bvh {
             scale: if scale.is_finite() { scale } else { 1.0 },
             blur: 0.0,
         };
-        bvh.blur = 1.0 + bvh.center.abs().max_element() * bvh.scale;
+        // A point is no farther from the origin than from the middle and the middle from there.
+        bvh.blur = ((1.0 + NEAR + 2.0 * bvh.center.abs().max_element() * bvh.scale) * BLUR) as f32;
         let mut items: Vec<Item> = items.into_iter().map(Item::new).collect();
         if !items.is_empty() {
             bvh.nodes = build::tree(&mut items, longest.min(LONGEST_RUN), &|children| bvh.node(children));
@@ -205,26 +199,23 @@ impl Bvh {
         if self.nodes.is_empty() {
             return None;
         }
-        let origin = self.inner(ray.at(range.min));
-        let (reach, span) = (origin.abs(), ray.direction.abs().max_element());
-        let near = (reach.x <= NEAR) & (reach.y <= NEAR) & (reach.z <= NEAR);
-        let (start, stretch, origin, direction) = if near & (span >= LEAST_SPAN) & (span <= GREATEST_SPAN) {
-            (range.min, 1.0, origin, ray.direction)
-        } else {
-            self.moved_up(ray, range, span)?
-        };
-        // What rounding in double precision did to the origin, seen in the space of the boxes.
-        let blur = self.blur + ray.origin.abs().max_element() * self.scale;
-        let probe = Probe::new(origin, direction, (blur * BLUR) as f32)?;
-        Some(Way { probe, start, scale: self.scale * stretch })
+        let probe = Probe::new(self.inner(ray.at(range.min)), ray.direction, self.blur);
+        if probe.is_tame() {
+            return Some(Way { probe, start: range.min, scale: self.scale });
+        }
+        self.moved_up(ray, range)
     }
 
-    /// A ray from far off moved up to the whole, where digits that are lost on the way don't matter: where
-    /// it starts, how much it is scaled down, its origin in the space of the boxes and its direction.
+    /// The way of a ray from far off, from the border of the whole on, where digits that are lost before
+    /// don't matter, or of one whose direction is very long or short.
     #[cold]
-    fn moved_up(&self, ray: &Ray, range: Range, span: f64) -> Option<(f64, f64, DVec3, DVec3)> {
+    fn moved_up(&self, ray: &Ray, range: Range) -> Option<Way> {
         let start = Slabs::new(ray).entry(&self.whole, range)?.max(range.min);
-        Some((start, span, self.inner(ray.at(start)), ray.direction / span))
+        let span = ray.direction.abs().max_element();
+        let blur = self.center.abs().max(ray.origin.abs()).max_element() * self.scale;
+        let blur = ((1.0 + 2.0 * blur) * BLUR) as f32;
+        let probe = Probe::new(self.inner(ray.at(start)), ray.direction / span, blur);
+        probe.is_sound().then_some(Way { probe, start, scale: self.scale * span })
     }
 
     /// See [`Accel::any_touching`](super::Accel::any_touching).

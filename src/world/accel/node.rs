@@ -14,6 +14,13 @@ pub(super) const SLACK: f32 = 8.0 * f32::EPSILON;
 /// Directions are kept away from zero, so that no slab's distance is 0 · ∞.
 const LEAST_DIRECTION: Vec4 = Vec4::splat(1e-30);
 
+/// Rays that start so near, in the space of the boxes, need not be moved up to them.
+pub(super) const NEAR: f64 = 8.0;
+
+/// The longest components of directions that need not be scaled.
+const LEAST_SPAN: Vec4 = Vec4::new(1e-3, 1e-3, 1e-3, f32::INFINITY);
+const GREATEST_SPAN: Vec4 = Vec4::splat(1e3);
+
 /// One number of each child of a node, side by side.
 pub(super) type Lanes = [Vec4; 2];
 
@@ -75,6 +82,8 @@ impl Node {
 
 /// A ray in the space of the boxes.
 pub(super) struct Probe {
+    origin: Vec4,
+    direction: Vec4,
     /// The origin, moved so far that rounding can't turn a hit into a miss: once for planes that
     /// bound the near end of the overlap, once for those that bound the far end.
     near: Vec4,
@@ -85,21 +94,34 @@ pub(super) struct Probe {
 }
 
 impl Probe {
-    /// `None` for rays that are none: only finite ones miss the boxes of missing children.
     #[inline(always)]
-    pub(super) fn new(origin: DVec3, direction: DVec3, blur: f32) -> Option<Self> {
+    pub(super) fn new(origin: DVec3, direction: DVec3, blur: f32) -> Self {
         let origin = Vec4::new(origin.x as f32, origin.y as f32, origin.z as f32, 0.0);
         let direction = Vec4::new(direction.x as f32, direction.y as f32, direction.z as f32, 1.0);
         let inverse = direction.abs().max(LEAST_DIRECTION).copysign(direction).recip();
         let room = (origin.abs() * SLACK + blur).copysign(inverse);
-        let (near, far) = (origin + room, origin - room);
         let backward = inverse.is_negative_bitmask();
-        (near * inverse * direction).is_finite().then(|| Self {
-            near,
-            far,
+        Self {
+            origin,
+            direction,
+            near: origin + room,
+            far: origin - room,
             inverse,
             backward: [backward & 1 != 0, backward & 2 != 0, backward & 4 != 0],
-        })
+        }
+    }
+
+    /// Whether it starts near the boxes, and its direction is neither very long nor very short.
+    #[inline(always)]
+    pub(super) fn is_tame(&self) -> bool {
+        let span = self.direction.abs();
+        let within = self.origin.abs().cmple(Vec4::splat(NEAR as f32)) & span.cmple(GREATEST_SPAN);
+        within.all() & span.cmpge(LEAST_SPAN).any()
+    }
+
+    /// Whether it is a ray at all: only finite ones miss the boxes of missing children.
+    pub(super) fn is_sound(&self) -> bool {
+        (self.near * self.inverse * self.direction).is_finite()
     }
 
     /// Entry distances, none negative, and the bits of the boxes met before `far`.

@@ -35,21 +35,27 @@ impl Faces {
 }
 
 impl Cuboid {
+    /// `None` for lines that miss the slab of an axis, or are none.
     #[inline(always)]
-    fn faces(&self, ray: &Ray) -> Faces {
+    fn faces(&self, ray: &Ray) -> Option<Faces> {
         let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
         let (min, max) = (self.min.to_array(), self.max.to_array());
-        let (mut near, mut far) = ([0.0; 3], [0.0; 3]);
+        let (mut near, mut far) = ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]);
         for axis in 0..3 {
             let (o, d) = (origin[axis], direction[axis]);
-            let (first, last) =
-                if d.is_sign_negative() { (max[axis], min[axis]) } else { (min[axis], max[axis]) };
-            let (enter, leave) = ((first - o) / d, (last - o) / d);
-            // 0 / 0 is no number: the line runs in the plane of the face, which bounds nothing.
-            near[axis] = if enter > f64::NEG_INFINITY { enter } else { f64::NEG_INFINITY };
-            far[axis] = if leave < f64::INFINITY { leave } else { f64::INFINITY };
+            let between = if d == 0.0 {
+                min[axis] <= o && o <= max[axis]
+            } else {
+                let (first, last) = if d > 0.0 { (min[axis], max[axis]) } else { (max[axis], min[axis]) };
+                near[axis] = (first - o) / d;
+                far[axis] = (last - o) / d;
+                near[axis] <= far[axis]
+            };
+            if !between {
+                return None;
+            }
         }
-        Faces { near, far }
+        Some(Faces { near, far })
     }
 
     #[inline(always)]
@@ -67,14 +73,14 @@ impl Cuboid {
     /// The distances between which a line is inside.
     #[inline]
     pub(super) fn span(&self, ray: &Ray) -> Option<[f64; 2]> {
-        let (enter, leave) = self.faces(ray).between();
+        let (enter, leave) = self.faces(ray)?.between();
         (enter <= leave).then_some([enter, leave])
     }
 
     /// Where faces meet, the one that faces the ray most gives the part, as in POV-Ray.
     #[inline]
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
-        let faces = self.faces(ray);
+        let faces = self.faces(ray)?;
         let (enter, leave) = faces.between();
         if enter - leave > EDGE * enter.abs() {
             return None;
@@ -118,7 +124,7 @@ impl Shape for Cuboid {
 
     #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let faces = self.faces(ray);
+        let faces = self.faces(ray)?;
         let (enter, leave) = faces.between();
         let room = EDGE * enter.abs();
         if enter - leave > room || leave <= range.min && range.min - leave > EDGE * leave.abs() {
@@ -137,7 +143,9 @@ impl Shape for Cuboid {
 
     #[inline]
     fn occludes(&self, ray: &Ray, range: Range) -> bool {
-        let (enter, leave) = self.faces(ray).between();
+        let Some((enter, leave)) = self.faces(ray).map(|faces| faces.between()) else {
+            return false;
+        };
         enter <= leave && (range.contains(enter) || range.contains(leave))
     }
 
