@@ -4,7 +4,7 @@
 use smallvec::SmallVec;
 
 use super::accel::{Accel, Hull, Slabs};
-use super::csg::{Found, coarse};
+use super::csg::Found;
 use super::object::{Leaf, LeafFlags, Member, RayKind};
 use super::parts::{Object, Parts};
 use super::ray::{Range, Ray};
@@ -142,10 +142,8 @@ impl Geometry {
     /// Whether a hit is at the same distance as one of the ground, as far as rounding tells.
     #[inline]
     fn stands_on(&self, ray: &Ray, best: &Hit, ground: &Hit) -> bool {
-        let gap = ground.t - best.t;
         best.object != ground.object
-            && gap <= coarse(ray, ground.t)
-            && gap <= self.parts.slack(ray, ground.leaf, &ground.crossing)
+            && self.parts.coincide(ray, ground.leaf, &ground.crossing, ground.t - best.t)
     }
 
     /// What stands between a point and a light: an opaque object; if there is none, `through`
@@ -255,9 +253,8 @@ impl Geometry {
             through.sort_unstable_by(|a, b| {
                 a.t.total_cmp(&b.t).then(a.object.cmp(&b.object)).then(b.leaf.cmp(&a.leaf))
             });
-            through.dedup_by(|next, kept| {
-                self.parts.coincide(ray, kept.leaf, &kept.crossing, next.t - kept.t)
-            });
+            through
+                .dedup_by(|next, kept| self.parts.coincide(ray, kept.leaf, &kept.crossing, next.t - kept.t));
         }
     }
 

@@ -181,11 +181,6 @@ impl Parts {
     }
 }
 
-/// Greatest distance within which crossings at `t` may be one, as rounding goes.
-pub(super) fn coarse(ray: &Ray, t: f64) -> f64 {
-    COARSE * ray.origin.abs().max(ray.at(t).abs()).max_element() / ray.direction.length()
-}
-
 /// Rounding error of a crossing seen head on, relative to the coordinates.
 const FINE: f64 = 64.0 * f64::EPSILON;
 
