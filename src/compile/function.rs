@@ -6,21 +6,13 @@ use super::Unsupported;
 use super::tape::Writer;
 use super::texture::{DEEPEST, TextureCompiler};
 use crate::math::Spline;
-use crate::math::spline::SplineKind as Kind;
 use crate::scene;
 use crate::scene::function::FunctionBody;
-use crate::scene::spline::SplineKind;
 use crate::world::function::{Body, Function, Internal};
 
 /// A spline ready to be evaluated.
 pub fn spline(spline: &scene::Spline) -> Option<Spline> {
-    let joint = match spline.kind {
-        SplineKind::Linear => Kind::Linear,
-        SplineKind::Quadratic => Kind::Quadratic,
-        SplineKind::Cubic => Kind::Cubic,
-        SplineKind::Natural => Kind::Natural,
-    };
-    Spline::new(joint, &spline.points, spline.size)
+    Spline::new(spline.kind, &spline.points, spline.size)
 }
 
 impl TextureCompiler<'_> {

@@ -94,6 +94,11 @@ impl<'w, 'a> Writer<'w, 'a> {
             Expr::Binary(..) => self.chain(expression),
             Expr::Call(Builtin::Select, arguments) => self.select(arguments),
             Expr::Call(builtin, arguments) => self.builtin(*builtin, arguments),
+            Expr::Power(base, exponent) => {
+                let mark = self.used;
+                let base = self.value(base)?;
+                self.result(mark, Code::Unary(product(*exponent)), base, base)
+            }
             Expr::Recursion(arguments) => {
                 let mark = self.arguments(arguments)?;
                 self.result(mark, Code::Recursion, mark as Register, mark as Register)
@@ -177,37 +182,28 @@ impl<'w, 'a> Writer<'w, 'a> {
         let mark = self.used;
         let mut sum = self.value(first)?;
         for (op, right) in links.into_iter().rev() {
-            sum = match (op, right) {
-                // POV-Ray multiplies by the inverse.
-                (BinaryOp::Divide, Expr::Constant(by)) => {
-                    let inverse = self.constant(1.0 / by)?;
-                    self.result(mark, Code::Multiply, sum, inverse)?
+            let right = self.value(right)?;
+            let (code, a, b) = match op {
+                BinaryOp::Add => (Code::Add, sum, right),
+                BinaryOp::Subtract => (Code::Subtract, sum, right),
+                BinaryOp::Multiply if sum == right => (Code::Unary(Unary::Square), sum, right),
+                BinaryOp::Multiply => (Code::Multiply, sum, right),
+                BinaryOp::Divide => (Code::Divide, sum, right),
+                BinaryOp::Less => (Code::Less, sum, right),
+                BinaryOp::LessEqual => (Code::LessEqual, sum, right),
+                BinaryOp::Greater => (Code::Greater, sum, right),
+                BinaryOp::GreaterEqual => (Code::GreaterEqual, sum, right),
+                BinaryOp::Equal => (Code::Equal, sum, right),
+                BinaryOp::NotEqual => (Code::NotEqual, sum, right),
+                BinaryOp::And => (Code::And, sum, right),
+                BinaryOp::Or => (Code::Or, sum, right),
+            };
+            sum = match self.known(a).zip(self.known(b)).and_then(|(a, b)| folded(&code, a, b)) {
+                Some(value) => {
+                    self.used = mark;
+                    self.constant(value)?
                 }
-                _ => {
-                    let right = self.value(right)?;
-                    let (code, a, b) = match op {
-                        BinaryOp::Add => (Code::Add, sum, right),
-                        BinaryOp::Subtract => (Code::Subtract, sum, right),
-                        BinaryOp::Multiply if sum == right => (Code::Unary(Unary::Square), sum, right),
-                        BinaryOp::Multiply => (Code::Multiply, sum, right),
-                        BinaryOp::Divide => (Code::Divide, sum, right),
-                        BinaryOp::Less => (Code::Less, sum, right),
-                        BinaryOp::LessEqual => (Code::LessEqual, sum, right),
-                        BinaryOp::Greater => (Code::Greater, sum, right),
-                        BinaryOp::GreaterEqual => (Code::GreaterEqual, sum, right),
-                        BinaryOp::Equal => (Code::Equal, sum, right),
-                        BinaryOp::NotEqual => (Code::NotEqual, sum, right),
-                        BinaryOp::And => (Code::And, sum, right),
-                        BinaryOp::Or => (Code::Or, sum, right),
-                    };
-                    match self.known(a).zip(self.known(b)).and_then(|(a, b)| folded(&code, a, b)) {
-                        Some(value) => {
-                            self.used = mark;
-                            self.constant(value)?
-                        }
-                        None => self.result(mark, code, a, b)?,
-                    }
-                }
+                None => self.result(mark, code, a, b)?,
             };
         }
         Ok(sum)
@@ -219,12 +215,10 @@ impl<'w, 'a> Writer<'w, 'a> {
             return Err(Unsupported::broken(self.function.span, "a function call without arguments"));
         };
         let mut value = self.value(first)?;
-        if let (Builtin::Pow, [Expr::Constant(exponent)]) = (builtin, rest) {
-            if *exponent == 0.0 {
-                return self.constant(1.0);
-            }
-            if let Some(power) = constant_power(*exponent) {
-                return self.result(mark, Code::Unary(power), value, value);
+        if let (Builtin::Pow, [Expr::Constant(exponent)], false) = (builtin, rest, self.compiler.last_digits)
+        {
+            if let Some(power) = (2..=8).find(|power| f64::from(*power) == *exponent) {
+                return self.result(mark, Code::Unary(product(power)), value, value);
             }
         }
         if rest.is_empty() {
@@ -387,7 +381,7 @@ fn is_short(expression: &Expr, steps: &mut u32) -> bool {
     let mut all = |parts: &[Expr]| parts.iter().all(|part| is_short(part, steps));
     match expression {
         Expr::Constant(_) | Expr::Parameter(_) | Expr::Running(_) => true,
-        Expr::Negate(e) => is_short(e, steps),
+        Expr::Negate(e) | Expr::Power(e, _) => is_short(e, steps),
         Expr::Binary(_, a, b) => is_short(a, steps) && is_short(b, steps),
         Expr::Call(_, arguments) | Expr::User(_, arguments) | Expr::Component(_, arguments, _) => {
             all(arguments)
@@ -414,12 +408,9 @@ fn too_big(function: &scene::Function) -> Unsupported {
     Unsupported::new(function.span, feature)
 }
 
-/// `pow` with one of the exponents that POV-Ray writes out as products.
-fn constant_power(exponent: f64) -> Option<Unary> {
-    match exponent {
-        2.0 => Some(Unary::Square),
-        _ => (3..=8).find(|power| f64::from(*power) == exponent).map(Unary::Power),
-    }
+/// A power 2 … 8 as a product.
+fn product(exponent: u8) -> Unary {
+    if exponent == 2 { Unary::Square } else { Unary::Power(exponent) }
 }
 
 fn one_argument(builtin: Builtin) -> Code {

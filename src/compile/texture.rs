@@ -31,6 +31,8 @@ pub struct TextureCompiler<'a> {
     pub(super) uses_uv: bool,
     /// Whether a finish lets light pass below the surface.
     pub(super) uses_subsurface: bool,
+    /// Whether functions give the last digit that POV-Ray's give, where another way is faster.
+    pub(super) last_digits: bool,
     waves: Option<Arc<[WaveSource]>>,
     bodies: Cache<scene::texture::TextureBody, TextureBody>,
     finishes: Cache<scene::Finish, world::texture::Finish>,
@@ -54,6 +56,7 @@ impl<'a> TextureCompiler<'a> {
             depth: 0,
             uses_uv: false,
             uses_subsurface: false,
+            last_digits: false,
             waves: None,
             bodies: Cache::default(),
             finishes: Cache::default(),
@@ -68,6 +71,12 @@ impl<'a> TextureCompiler<'a> {
     #[must_use]
     pub fn with_quick_colors(self, quick_colors: bool) -> Self {
         Self { quick_colors, ..self }
+    }
+
+    /// Functions give the last digit that POV-Ray's give, even where another way is faster.
+    #[must_use]
+    pub fn with_last_digits(self) -> Self {
+        Self { last_digits: true, ..self }
     }
 
     /// How patterns get at the inside of objects; without it the `object` pattern is unsupported.

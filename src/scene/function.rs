@@ -52,6 +52,8 @@ pub enum Expr {
     Binary(BinaryOp, Box<Expr>, Box<Expr>),
     /// A built-in, with as many arguments as it takes.
     Call(Builtin, Vec<Expr>),
+    /// A power 2 … 8 as a product.
+    Power(Box<Expr>, u8),
     /// The function itself, with other arguments.
     Recursion(Vec<Expr>),
     /// A user function that gives a number.

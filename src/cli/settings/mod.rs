@@ -88,7 +88,7 @@ impl Settings {
         }
     }
 
-    /// Declares a constant: `name=number` or `name="text"`.
+    /// Declares a constant: `name=number` or `name="text"`. What is declared first stays.
     ///
     /// Like POV-Ray, text that is no number counts as 0.
     ///
@@ -104,8 +104,9 @@ impl Settings {
             Some((text, _)) => Declared::Text(text.to_owned()),
             None => Declared::Number(value::six_digits(value::float(number).unwrap_or(0.0))),
         };
-        self.declares.retain(|(known, _)| known != name);
-        self.declares.push((name.to_owned(), declared));
+        if self.declares.iter().all(|(known, _)| known != name) {
+            self.declares.push((name.to_owned(), declared));
+        }
         Ok(())
     }
 

@@ -15,11 +15,12 @@ use crate::interp::stream::TokenKind;
 use crate::interp::tuple::Tuple;
 use crate::interp::value::Value;
 use crate::interp::{Fault, Result, Vm, Word};
-use crate::math::DVec3;
 use crate::math::noise::Octaves;
+use crate::math::{DVec3, Spline};
 use crate::scene::pigment::PigmentKind;
 use crate::scene::settings::Settings;
-use crate::scene::{Function, Object};
+use crate::scene::spline::SplineKind;
+use crate::scene::{self, Function, Object};
 use crate::source::Span;
 use crate::syntax::{Punct, Symbol};
 use crate::world;
@@ -30,10 +31,13 @@ use crate::world::function::Budget;
 pub struct Compiled {
     functions: FxHashMap<*const Function, (Arc<Function>, Arc<world::Function>)>,
     objects: FxHashMap<*const Object, (Arc<Object>, Rc<Probe>)>,
+    splines: FxHashMap<(*const scene::Spline, SplineKind), (Arc<scene::Spline>, Rc<Spline>)>,
 }
 
 /// Terms and calls of a function that are done in the time of a step.
 const TERMS_A_STEP: u64 = 16;
+/// Points of a spline that are made ready in the time of a step.
+const POINTS_A_STEP: u64 = 16;
 
 /// Reads the arguments of a function or spline whose name was just taken, and computes it.
 pub fn call(vm: &mut Vm, called: &Value, name: Symbol, span: Span) -> Result<Tuple> {
@@ -41,7 +45,7 @@ pub fn call(vm: &mut Vm, called: &Value, name: Symbol, span: Span) -> Result<Tup
         Value::Spline(spline) => arguments(vm, |vm| {
             let at = vm.read_float()?;
             let kind = if vm.accept_punct(Punct::Comma)? { vm.read_spline_kind()? } else { spline.kind };
-            let value = crate::math::spline::evaluate(kind, &spline.points, at);
+            let value = ready_spline(vm, spline, kind, span)?.map_or([0.0; 5], |ready| ready.at(at));
             Ok(Tuple::new(&value[..spline.size]))
         }),
         Value::Function(function) => {
@@ -71,6 +75,25 @@ pub fn call(vm: &mut Vm, called: &Value, name: Symbol, span: Span) -> Result<Tup
         }
         _ => Err(vm.expected("a number or vector")),
     }
+}
+
+/// A spline ready to be evaluated as one of this kind; `None` without points.
+fn ready_spline(
+    vm: &mut Vm,
+    spline: &Arc<scene::Spline>,
+    kind: SplineKind,
+    span: Span,
+) -> Result<Option<Rc<Spline>>> {
+    let key = (Arc::as_ptr(spline), kind);
+    if let Some((_, ready)) = vm.compiled.splines.get(&key) {
+        return Ok(Some(ready.clone()));
+    }
+    vm.work(spline.points.len() as u64 / POINTS_A_STEP, span)?;
+    let ready = Spline::new(kind, &spline.points, spline.size).map(Rc::new);
+    if let Some(ready) = &ready {
+        vm.compiled.splines.insert(key, (spline.clone(), ready.clone()));
+    }
+    Ok(ready)
 }
 
 /// Makes sure that a function came to its end by itself.
@@ -175,6 +198,7 @@ fn compiled_function(vm: &mut Vm, function: &Arc<Function>, span: Span) -> Resul
     }
     let settings = settings(vm);
     let compiled = TextureCompiler::new(&settings)
+        .with_last_digits()
         .with_objects(&|object| inside_of(object, &settings))
         .function(function);
     let compiled = compiled.map_err(|lacking| refused(vm, &lacking, span))?;

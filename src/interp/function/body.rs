@@ -19,6 +19,18 @@ pub(super) struct Body {
     pub(super) parameters: Vec<Variable>,
     /// The names `sum` and `prod` count with, outermost first.
     pub(super) running: Vec<Symbol>,
+    /// Whether POV-Ray puts numbers together here: everywhere but in the second and further
+    /// arguments of calls (docs/spec/language.md 4.2).
+    pub(super) folds: bool,
+}
+
+/// What stands between the parentheses of a call.
+struct Arguments {
+    arguments: Vec<Expr>,
+    /// One of them depends on a parameter.
+    varies: bool,
+    /// The last, if it is a number that was not in parentheses.
+    plain: Option<f64>,
 }
 
 /// An operand: its tree, and what POV-Ray's way of folding constants asks about it.
@@ -26,6 +38,8 @@ pub(super) struct Operand {
     pub(super) expr: Expr,
     /// A number that was not in parentheses.
     plain: bool,
+    /// Several numbers that were put together.
+    combined: bool,
     /// Depends on a parameter.
     varies: bool,
 }
@@ -88,15 +102,18 @@ impl Body {
             let sign = vm.next()?.span;
             let mut right = self.expression(vm, level + 1)?;
             varies |= right.varies;
-            if let (BinaryOp::Subtract, true, Expr::Constant(c)) = (op, right.plain, &mut right.expr) {
+            if let (BinaryOp::Subtract, true, Expr::Constant(c)) =
+                (op, right.plain && !right.combined, &mut right.expr)
+            {
                 (*c, op) = (-*c, BinaryOp::Add);
             }
-            let left =
-                operands.last_mut().filter(|left| left.plain && right.plain && (level != 4 || !varies));
+            let folds = self.folds && right.plain && (level != 4 || !varies);
+            let left = operands.last_mut().filter(|left| folds && left.plain);
             if let (Some(left), Expr::Constant(b)) = (left, &right.expr)
                 && let Expr::Constant(a) = left.expr
             {
                 left.expr = Expr::Constant(compute(op, a, *b));
+                left.combined = true;
                 continue;
             }
             if let (BinaryOp::Divide, Expr::Constant(0.0), true) = (op, &right.expr, right.plain) {
@@ -113,8 +130,8 @@ impl Body {
         let expr = operators
             .into_iter()
             .zip(operands)
-            .fold(first.expr, |left, (op, right)| binary(op, left, right.expr));
-        Ok(Operand { expr, plain: false, varies })
+            .fold(first.expr, |left, (op, right)| binary(op, left, right.expr, right.plain));
+        Ok(Operand { expr, plain: false, combined: false, varies })
     }
 
     fn operator_at(&mut self, vm: &mut Vm, level: usize) -> Result<Option<BinaryOp>> {
@@ -134,12 +151,12 @@ impl Body {
         match token.kind {
             TokenKind::Punct(Punct::Minus) => {
                 vm.take(token);
-                let operand = self.operand(vm)?;
-                let expr = match operand.expr {
+                let Operand { expr, plain, varies, .. } = self.operand(vm)?;
+                let expr = match expr {
                     Expr::Constant(c) => Expr::Constant(-c),
                     expr => Expr::Negate(Box::new(expr)),
                 };
-                Ok(Operand { expr, ..operand })
+                Ok(Operand { expr, plain: plain && self.folds, combined: false, varies })
             }
             TokenKind::Punct(Punct::Plus) => {
                 vm.take(token);
@@ -151,7 +168,8 @@ impl Body {
 
     fn operand(&mut self, vm: &mut Vm) -> Result<Operand> {
         let token = vm.peek()?;
-        let constant = |c: f64| Operand { expr: Expr::Constant(c), plain: true, varies: false };
+        let constant =
+            |c: f64| Operand { expr: Expr::Constant(c), plain: true, combined: false, varies: false };
         match token.kind {
             TokenKind::Number(value) => {
                 vm.take(token);
@@ -189,14 +207,14 @@ impl Body {
 
     fn parameter(&self, variable: Variable) -> Option<Operand> {
         let index = self.parameters.iter().position(|&parameter| parameter == variable)?;
-        Some(Operand { expr: Expr::Parameter(index as u16), plain: false, varies: true })
+        Some(Operand { expr: Expr::Parameter(index as u16), plain: false, combined: false, varies: true })
     }
 
     fn word(&mut self, vm: &mut Vm, token: Token, word: Word) -> Result<Operand> {
         if let Some(axis) = axis(word) {
             vm.take(token);
             // An axis that is no parameter is zero.
-            let zero = Operand { expr: Expr::Constant(0.0), plain: false, varies: true };
+            let zero = Operand { expr: Expr::Constant(0.0), plain: false, combined: false, varies: true };
             return Ok(self.parameter(Variable::Axis(axis)).unwrap_or(zero));
         }
         if matches!(word, Word::Sum | Word::Prod) {
@@ -208,7 +226,9 @@ impl Body {
             return Err(fault.help(format!("`{}` cannot be used inside a function", word.text())));
         };
         vm.take(token);
-        let (arguments, varies) = self.arguments(vm)?;
+        let folds = self.folds;
+        // `pow` is an operator to POV-Ray, more than a call.
+        let Arguments { arguments, varies, plain } = self.arguments(vm, folds && builtin == Builtin::Pow)?;
         if arguments.len() < least || arguments.len() > most {
             let wanted = match (least, most) {
                 (least, usize::MAX) => format!("{least} or more arguments"),
@@ -219,12 +239,16 @@ impl Body {
             let message = format!("`{}` takes {wanted}, but {} given", word.text(), arguments.len());
             return Err(vm.error(token.span.to(vm.last), message));
         }
-        if let (Builtin::Pow, [base, Expr::Constant(0.0)]) = (builtin, &arguments[..])
-            && !matches!(base, Expr::Constant(_))
-        {
-            vm.warn(token.span.to(vm.last), "a power of zero is always 1", "");
-        }
-        Ok(Operand { expr: Expr::Call(builtin, arguments), plain: false, varies })
+        let expr = match (builtin, plain) {
+            (Builtin::Pow, Some(exponent)) if folds => {
+                if exponent == 0.0 && varies {
+                    vm.warn(token.span.to(vm.last), "a power of zero is always 1", "");
+                }
+                power(arguments, exponent)
+            }
+            _ => Expr::Call(builtin, arguments),
+        };
+        Ok(Operand { expr, plain: false, combined: false, varies })
     }
 
     /// Reads `(i, from, to, term)` after `sum` or `prod`.
@@ -237,10 +261,10 @@ impl Body {
         let (from, to, term) = self.deeper(vm, open, |body, vm| {
             let from = body.expression(vm, 0)?;
             vm.expect(Punct::Comma)?;
-            let to = body.expression(vm, 0)?;
+            let to = body.further(vm)?;
             vm.expect(Punct::Comma)?;
             body.running.push(name);
-            let term = body.expression(vm, 0);
+            let term = body.further(vm);
             body.running.pop();
             Ok((from, to, term?))
         })?;
@@ -255,14 +279,19 @@ impl Body {
         let varies = from.varies || to.varies || term.varies;
         let parts = Box::new([from.expr, to.expr, term.expr]);
         let expr = if word == Word::Sum { Expr::Sum(parts) } else { Expr::Product(parts) };
-        Ok(Operand { expr, plain: false, varies })
+        Ok(Operand { expr, plain: false, combined: false, varies })
     }
 
     /// Reads a name: what counts in a sum, a parameter, a variable, or the call of a function.
     fn named(&mut self, vm: &mut Vm, token: Token, symbol: Symbol) -> Result<Operand> {
         if let Some(index) = self.running.iter().rposition(|&running| running == symbol) {
             vm.take(token);
-            return Ok(Operand { expr: Expr::Running(index as u16), plain: false, varies: true });
+            return Ok(Operand {
+                expr: Expr::Running(index as u16),
+                plain: false,
+                combined: false,
+                varies: true,
+            });
         }
         if let Some(operand) = self.parameter(Variable::Name(symbol)) {
             vm.take(token);
@@ -282,7 +311,7 @@ impl Body {
         match value {
             Value::Float(value) => {
                 vm.take(token);
-                Ok(Operand { expr: Expr::Constant(value), plain: true, varies: false })
+                Ok(Operand { expr: Expr::Constant(value), plain: true, combined: false, varies: false })
             }
             Value::Function(function) => {
                 vm.take(token);
@@ -298,7 +327,7 @@ impl Body {
 
     /// Reads the arguments of a function that calls itself; its name was just taken.
     fn recursion(&mut self, vm: &mut Vm, symbol: Symbol, span: Span) -> Result<Operand> {
-        let (arguments, varies) = self.arguments(vm)?;
+        let Arguments { arguments, varies, .. } = self.arguments(vm, false)?;
         let name = vm.name(symbol).to_owned();
         if arguments.len() != self.parameters.len() {
             return Err(wrong_count(vm, &name, self.parameters.len(), arguments.len(), span));
@@ -308,11 +337,11 @@ impl Body {
             format!("function `{name}` calls itself, which POV-Ray does not support"),
             "it has to end: `select` computes only the argument it chooses",
         );
-        Ok(Operand { expr: Expr::Recursion(arguments), plain: false, varies })
+        Ok(Operand { expr: Expr::Recursion(arguments), plain: false, combined: false, varies })
     }
 
     fn call(&mut self, vm: &mut Vm, function: Arc<Function>, span: Span) -> Result<Operand> {
-        let (arguments, varies) = self.arguments(vm)?;
+        let Arguments { arguments, varies, .. } = self.arguments(vm, false)?;
         if arguments.len() != function.parameters {
             let fault = wrong_count(vm, &function.name, function.parameters, arguments.len(), span);
             return Err(fault.see(function.span, "the function"));
@@ -323,7 +352,7 @@ impl Body {
         );
         let expr =
             if several { self.component(vm, function, arguments)? } else { Expr::User(function, arguments) };
-        Ok(Operand { expr, plain: false, varies })
+        Ok(Operand { expr, plain: false, combined: false, varies })
     }
 
     /// Reads the `.member` that has to follow the call of a function with several components.
@@ -336,22 +365,18 @@ impl Body {
             );
         }
         let token = vm.peek()?;
-        let mix = |weights: &[f64]| {
-            let part = |(index, &weight): (usize, &f64)| {
-                let part = Expr::Component(function.clone(), arguments.clone(), index as u8);
-                binary(BinaryOp::Multiply, part, Expr::Constant(weight))
-            };
-            weights.iter().enumerate().map(part).reduce(|a, b| binary(BinaryOp::Add, a, b))
-        };
+        let part = |index: u8| Expr::Component(function.clone(), arguments.clone(), index);
+        let times = |part: Expr, by: f64| binary(BinaryOp::Multiply, part, Expr::Constant(by), true);
+        let plus = |a: Expr, b: Expr| binary(BinaryOp::Add, a, b, false);
+        let gray = || plus(plus(times(part(0), 0.297), times(part(1), 0.589)), times(part(2), 0.114));
         let mixed = match token.kind {
-            TokenKind::Word(Word::Gray) => mix(&[0.297, 0.589, 0.114]),
+            TokenKind::Word(Word::Gray) => Some(gray()),
             TokenKind::Name(symbol) => match &**vm.symbols.name(symbol) {
-                "grey" => mix(&[0.297, 0.589, 0.114]),
-                "hf" => mix(&[0.996093, 0.996093 / 255.0]),
+                "grey" => Some(gray()),
+                "hf" => Some(times(plus(part(0), times(part(1), 1.0 / 255.0)), 0.996093)),
                 _ => None,
             },
-            TokenKind::Word(word) => crate::interp::expr::component(word)
-                .map(|index| Expr::Component(function.clone(), arguments.clone(), index as u8)),
+            TokenKind::Word(word) => crate::interp::expr::component(word).map(|index| part(index as u8)),
             _ => None,
         };
         match mixed {
@@ -363,20 +388,34 @@ impl Body {
         }
     }
 
-    fn arguments(&mut self, vm: &mut Vm) -> Result<(Vec<Expr>, bool)> {
+    /// Reads the arguments of a call; `folds` says whether numbers are put together in all of them, as they are
+    /// in the first.
+    fn arguments(&mut self, vm: &mut Vm, folds: bool) -> Result<Arguments> {
         let open = vm.expect(Punct::OpenParen)?;
-        let (mut arguments, mut varies) = (Vec::new(), false);
         self.deeper(vm, open, |body, vm| {
-            loop {
-                let argument = body.expression(vm, 0)?;
-                varies |= argument.varies;
-                arguments.push(argument.expr);
-                if !vm.accept_punct(Punct::Comma)? {
-                    return vm.close_paren(open);
-                }
+            let first = body.expression(vm, 0)?;
+            let (mut arguments, mut varies, mut plain) = (vec![first.expr], first.varies, None);
+            while vm.accept_punct(Punct::Comma)? {
+                let next = if folds { body.expression(vm, 0)? } else { body.further(vm)? };
+                varies |= next.varies;
+                plain = if let (Expr::Constant(value), true) = (&next.expr, next.plain) {
+                    Some(*value)
+                } else {
+                    None
+                };
+                arguments.push(next.expr);
             }
-        })?;
-        Ok((arguments, varies))
+            vm.close_paren(open)?;
+            Ok(Arguments { arguments, varies, plain })
+        })
+    }
+
+    /// Reads an argument in which numbers are not put together.
+    fn further(&mut self, vm: &mut Vm) -> Result<Operand> {
+        let folds = std::mem::replace(&mut self.folds, false);
+        let operand = self.expression(vm, 0);
+        self.folds = folds;
+        operand
     }
 
     /// Reads something inside parentheses.
@@ -403,14 +442,26 @@ fn no_operand(vm: &mut Vm) -> Fault {
     }
 }
 
-/// Puts two trees together; numbers are combined, and a division by one becomes a product, as
-/// POV-Ray calculates it.
-fn binary(op: BinaryOp, left: Expr, right: Expr) -> Expr {
-    match (op, &left, &right) {
-        (_, &Expr::Constant(a), &Expr::Constant(b)) => Expr::Constant(compute(op, a, b)),
-        (BinaryOp::Divide, _, &Expr::Constant(c)) => {
-            Expr::Binary(BinaryOp::Multiply, Box::new(left), Box::new(Expr::Constant(1.0 / c)))
-        }
+/// Puts two trees together. What is divided by a plain number is multiplied by its inverse.
+fn binary(op: BinaryOp, left: Expr, right: Expr, plain: bool) -> Expr {
+    let (op, right) = match (op, &right) {
+        (BinaryOp::Divide, &Expr::Constant(c)) if plain => (BinaryOp::Multiply, Expr::Constant(1.0 / c)),
+        _ => (op, right),
+    };
+    match (&left, &right) {
+        (&Expr::Constant(a), &Expr::Constant(b)) => Expr::Constant(compute(op, a, b)),
         _ => Expr::Binary(op, Box::new(left), Box::new(right)),
+    }
+}
+
+/// `pow` with a plain exponent: those up to 8 are products.
+fn power(arguments: Vec<Expr>, exponent: f64) -> Expr {
+    match (arguments.first(), exponent) {
+        (Some(Expr::Constant(base)), _) => Expr::Constant(base.powf(exponent)),
+        (_, 0.0) => Expr::Constant(1.0),
+        (Some(base), 2.0..=8.0) if exponent.fract() == 0.0 => {
+            Expr::Power(Box::new(base.clone()), exponent as u8)
+        }
+        _ => Expr::Call(Builtin::Pow, arguments),
     }
 }

@@ -73,7 +73,7 @@ impl Vm<'_> {
         let (body, parameters) = match special {
             Some(special) => special,
             None => {
-                let mut body = Body { name, parameters, running: Vec::new() };
+                let mut body = Body { name, parameters, running: Vec::new(), folds: true };
                 (FunctionBody::Expression(body.expression(self, 0)?.expr), count)
             }
         };

@@ -52,6 +52,7 @@ fn operand(e: &Expr) -> String {
         Expr::Call(builtin, arguments) => {
             format!("{}({})", format!("{builtin:?}").to_lowercase(), list(arguments))
         }
+        Expr::Power(base, exponent) => format!("pow({}, {exponent})", expression(base)),
         Expr::Recursion(arguments) => format!("self({})", list(arguments)),
         Expr::User(function, arguments) => format!("{}({})", name(function), list(arguments)),
         Expr::Component(function, arguments, index) => {

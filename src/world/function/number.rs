@@ -165,7 +165,7 @@ fn truth(holds: bool) -> f64 {
 fn truncate(v: f64) -> f64 {
     let whole = v.trunc();
     let fits = (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&whole);
-    if fits { whole } else { f64::from(i32::MIN) }
+    f64::from(if fits { whole as i32 } else { i32::MIN })
 }
 
 impl Number for f64 {
@@ -224,7 +224,7 @@ impl Number for f64 {
 
     #[inline(always)]
     fn lower(self, other: Self) -> Self {
-        if self < other { self } else { other }
+        if self <= other { self } else { other }
     }
 
     #[inline(always)]
