@@ -5,6 +5,7 @@ use povista::interp::{check::check_with, interpret};
 use povista::options::LanguageOptions;
 use povista::scene::Scene;
 use povista::source::{Library, Source, Sources};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -37,6 +38,25 @@ fn statements_are_accepted_and_refused_as_by_povray() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What the specification says of statements has rows: every reserved word of its chapter stands in one.
+#[test]
+fn every_word_of_the_chapter_about_statements_is_in_a_row() {
+    // Words of its notation, and of other chapters.
+    const OTHERS: [&str; 6] = ["else", "if", "include", "int", "max", "min"];
+    let reserved: BTreeSet<&str> = povista::reference::words().into_iter().map(|(word, _)| word).collect();
+    let words = |text: &'static str| {
+        text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| reserved.contains(word))
+    };
+    let specification = include_str!("../docs/spec/language.md");
+    let chapter = specification.split("## 6. Statements").nth(1).unwrap().split("## 7.").next().unwrap();
+    let rows = include_str!("statement/verdicts.txt").lines().filter(|line| !line.starts_with('#'));
+    let in_rows: BTreeSet<&str> = rows.flat_map(words).collect();
+    let code = chapter.split('`').skip(1).step_by(2);
+    let missing: BTreeSet<&str> =
+        code.flat_map(words).filter(|word| !in_rows.contains(word) && !OTHERS.contains(word)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
 }
 
 /// The dump of each scene in `statement/scenes` is its snapshot.

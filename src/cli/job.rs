@@ -109,7 +109,9 @@ impl Job {
             text: None,
             input,
         };
-        job.permissions = restrictions.files.unwrap_or_else(|| job.default_permissions());
+        // What was found beside a scene says no more than the scene itself where pictures go.
+        let found = settings.is_found(Name::OutputFileName);
+        job.permissions = restrictions.files.unwrap_or_else(|| job.default_permissions(found));
         Ok(job)
     }
 
@@ -128,15 +130,15 @@ impl Job {
     }
 
     /// What scenes may write unless the user has rules: files in the current folder, in the scene's, and in that
-    /// of its pictures.
-    fn default_permissions(&self) -> Permissions {
+    /// of its pictures, unless their name was found beside the scene.
+    fn default_permissions(&self, found: bool) -> Permissions {
         let picture = match self.animation.frames().next().and_then(|frame| self.place(&frame)) {
-            Some(Place::File(path)) if !path.exists() || path.is_file() => Some(path),
+            Some(Place::File(path)) if !found && (!path.exists() || path.is_file()) => Some(path),
             _ => None,
         };
         let files =
             [Some(Path::new("")), Path::new(&self.input).parent(), picture.as_deref().and_then(Path::parent)];
-        restrictions::defaults(files.into_iter().flatten())
+        Permissions { pictures: found, ..restrictions::defaults(files.into_iter().flatten()) }
     }
 
     /// What the interpreter may see at the moment of the first picture.

@@ -131,7 +131,7 @@ impl Conf {
     fn permissions(self) -> Permissions {
         let (read, write) = (self.security == Security::Restricted, self.security != Security::None);
         let (read, write) = (read.then_some(self.readable), write.then_some(self.writable));
-        Permissions { read, write, written: true }
+        Permissions { read, write, written: true, pictures: true }
     }
 }
 
@@ -185,7 +185,7 @@ mod tests {
             let (conf, odd) = read(&format!("[File I/O Security]\n{security}\n{paths}"));
             assert_eq!(
                 conf.permissions(),
-                Permissions { read: read_paths, write: write_paths, written: true }
+                Permissions { read: read_paths, write: write_paths, written: true, pictures: true }
             );
             assert_eq!(odd, [6, 7]);
         }
@@ -201,7 +201,8 @@ mod tests {
         std::fs::write(folder.path().join(USER), text).expect("the folder takes files");
         let strict = Restrictions::read(Some(folder.path()));
         assert!(!strict.shellouts);
-        let nothing = Permissions { read: Some(Vec::new()), write: Some(Vec::new()), written: true };
+        let (read, write) = (Some(Vec::new()), Some(Vec::new()));
+        let nothing = Permissions { read, write, written: true, pictures: true };
         assert_eq!(strict.files, Some(nothing));
     }
 }

@@ -177,6 +177,15 @@ impl<'a> Flattener<'a> {
         }
     }
 
+    /// Makes room for so many objects: lists that grow by copies of themselves would take twice as much.
+    pub fn expect(&mut self, objects: usize) {
+        self.flat.parts.leaves.reserve_exact(objects);
+        self.flat.parts.objects.reserve_exact(objects);
+        self.flat.spans.reserve_exact(objects);
+        self.flat.textures.reserve_exact(objects);
+        self.flat.interiors.reserve_exact(objects);
+    }
+
     /// Adds a top-level object, or its members where it is a union that cuts nothing.
     pub fn add(&mut self, object: &Object) {
         let mut waiting = vec![(object, Inherited::default())];

@@ -100,15 +100,6 @@ mod tests {
         Expr::Binary(op, Box::new(a), Box::new(b))
     }
 
-    /// docs/spec/language.md 4.4.
-    #[test]
-    fn dividing_by_a_constant_multiplies_by_its_inverse() {
-        let third = expression(1, binary(BinaryOp::Divide, parameter(0), number(3.0)));
-        assert_eq!(call(&third, &[5.0]), 1.666_666_666_666_666_5);
-        let inverse = expression(1, binary(BinaryOp::Divide, number(1.0), parameter(0)));
-        assert_eq!(call(&inverse, &[0.0]), f64::INFINITY);
-    }
-
     #[test]
     fn sums_and_products_nest_and_may_be_empty() {
         let sum = |from, to, e| Expr::Sum(Box::new([from, to, e]));

@@ -2,6 +2,8 @@
 //! own; what no leaf refers to is never compiled, so that no image is decoded for nothing and
 //! nothing unused is called unsupported.
 
+use std::sync::Arc;
+
 use super::flatten::Flat;
 use super::texture::TextureCompiler;
 use crate::world::object::LeafFlags;
@@ -53,7 +55,7 @@ pub(super) fn interiors(flat: &Flat) -> Used {
 }
 
 /// What compiled surfaces ask for.
-pub(super) fn needs(flat: &Flat, textures: &TextureCompiler, interiors: &[Interior]) -> Needs {
+pub(super) fn needs(flat: &Flat, textures: &TextureCompiler, interiors: &[Arc<Interior>]) -> Needs {
     let mapped = flat.parts.leaves.iter().any(|leaf| leaf.flags.contains(LeafFlags::UV_MAPPING));
     Needs {
         uv: mapped || textures.uses_uv(),

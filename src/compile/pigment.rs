@@ -39,14 +39,14 @@ impl TextureCompiler<'_> {
                         &own
                     }
                 };
-                Pigment::Colors(self.pattern(field)?, self.map(field, map, |_, color| Ok(*color))?)
+                Pigment::Colors(Box::new(self.pattern(field)?), self.map(field, map, |_, color| Ok(*color))?)
             }
             PigmentKind::Pigments { field, map } => {
                 let map = self
                     .map(field, map, |this, pigment| this.nested(field.span, |this| this.pigment(pigment)))?;
                 match field.pattern {
                     Pattern::Average => Pigment::Average(self.warps(field), map),
-                    _ => Pigment::Pigments(self.pattern(field)?, map),
+                    _ => Pigment::Pigments(Box::new(self.pattern(field)?), map),
                 }
             }
             PigmentKind::Image { field, map } => {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
+use smallvec::SmallVec;
 
 use super::Unsupported;
 use crate::math::noise::{WaveSource, wave_sources};
@@ -119,13 +120,13 @@ impl<'a> TextureCompiler<'a> {
         use scene::texture::TextureBody as Body;
         Ok(match body {
             Body::Layered(layers) => {
-                let layers: Box<[Layer]> =
+                let layers: SmallVec<[Layer; 1]> =
                     layers.iter().map(|layer| self.layer(layer)).collect::<Result<_, _>>()?;
                 let opaque = layers.iter().any(|layer| layer.pigment.is_opaque());
                 TextureBody::Layered { layers, opaque }
             }
             Body::Patterned { field, map, no_bump_scale } => TextureBody::Patterned {
-                pattern: self.pattern(field)?,
+                pattern: Box::new(self.pattern(field)?),
                 map: self.map(field, map, |this, texture| {
                     this.nested(field.span, |this| this.texture(texture, &Transform::IDENTITY))
                 })?,
@@ -149,11 +150,17 @@ impl<'a> TextureCompiler<'a> {
     }
 
     fn layer(&mut self, layer: &scene::texture::Layer) -> Result<Layer, Unsupported> {
-        let finish = self
-            .finishes
-            .entry(Arc::as_ptr(&layer.finish))
-            .or_insert_with(|| (layer.finish.clone(), Arc::new(finish(&layer.finish))));
-        let finish = finish.1.clone();
+        let finish = match self.finishes.get(&Arc::as_ptr(&layer.finish)) {
+            Some((_, finish)) => finish.clone(),
+            None => {
+                let compiled = Arc::new(finish(&layer.finish));
+                if Arc::strong_count(&layer.finish) > 1 {
+                    let kept = (layer.finish.clone(), compiled.clone());
+                    self.finishes.insert(Arc::as_ptr(&layer.finish), kept);
+                }
+                compiled
+            }
+        };
         self.uses_subsurface |= finish.subsurface.is_some();
         let pigment = self.pigment(&layer.pigment)?;
         let normal = layer.normal.as_ref().map(|normal| self.normal(normal)).transpose()?;
@@ -190,7 +197,7 @@ impl<'a> TextureCompiler<'a> {
     pub(super) fn quick_color(&self, pigment: &scene::Pigment) -> Option<crate::math::Rgbft> {
         // A component of -1 is how POV-Ray marks that none was given.
         let is_set = |c: &crate::math::Rgbft| c.rgb.to_array().iter().all(|v| *v != -1.0);
-        pigment.quick_color.filter(|color| self.quick_colors && is_set(color))
+        pigment.quick_color.as_deref().copied().filter(|color| self.quick_colors && is_set(color))
     }
 
     pub(super) fn wave_sources(&mut self) -> Arc<[WaveSource]> {

@@ -30,6 +30,7 @@ pub struct Compiled {
 pub fn compile(mut scene: Scene, options: &RenderOptions) -> Compiled {
     let objects = std::mem::take(&mut scene.objects);
     let mut flattener = Flattener::new(&scene.settings, options.accelerator, options.split_unions);
+    flattener.expect(objects.len());
     // Each is freed once it is taken apart.
     for object in objects {
         flattener.add(&object);
@@ -112,15 +113,24 @@ fn interiors(
     flat: &mut Flat,
     textures: &mut TextureCompiler,
     lacking: &mut Vec<Unsupported>,
-) -> Vec<Interior> {
+) -> Vec<Arc<Interior>> {
     let used = needs::interiors(flat);
-    let compile = |wanted: &InteriorUse| {
+    // What is filled with air alone is alike, solid or hollow.
+    let mut airs = [None, None];
+    let compile = |wanted: InteriorUse| {
         let texture = wanted.texture.map(|number| &flat.textures[number as usize].texture);
         let legacy = texture.and_then(legacy);
         let outer = wanted.outer.as_deref().unwrap_or(&Transform::IDENTITY);
-        interior::interior(wanted.interior.as_deref(), legacy, wanted.hollow, outer, textures, lacking)
+        let mut compile = || {
+            let interior = wanted.interior.as_deref();
+            Arc::new(interior::interior(interior, legacy, wanted.hollow, outer, textures, lacking))
+        };
+        match (&wanted.interior, legacy) {
+            (None, None) => airs[usize::from(wanted.hollow)].get_or_insert_with(compile).clone(),
+            _ => compile(),
+        }
     };
-    let compiled = used.only(&flat.interiors).map(compile).collect();
+    let compiled = used.only(std::mem::take(&mut flat.interiors)).map(compile).collect();
     for leaf in &mut flat.parts.leaves {
         leaf.interior = used.renumbered(leaf.interior);
     }

@@ -45,5 +45,26 @@ pub const MOST_FUNCTION_PARAMETERS: usize = 56;
 /// could take so many steps (`world::function::Budget`).
 pub const MOST_TERMS: f64 = 5e7;
 
+/// Turns of a formula at one point, in patterns and solids made of them: more would keep it busy for ever.
+pub const MOST_ITERATIONS: i32 = 10_000_000;
+
+/// Rays of one pixel through a lens.
+pub const MOST_BLUR_SAMPLES: i32 = 1_000_000;
+
+/// Intervals of media along a ray, and samples of each.
+pub const MOST_MEDIA_SAMPLES: i32 = 10_000;
+
+/// Points of an area light.
+pub const MOST_LIGHTS: u64 = 1_000_000;
+
+/// Colors that light is split into where it is dispersed.
+pub const MOST_COLORS: i32 = 10_000;
+
+/// How often each side of a patch is halved.
+pub const MOST_PATCH_STEPS: i32 = 8;
+
+/// How often media are looked at more closely.
+pub const MOST_MEDIA_LEVELS: i32 = 20;
+
 /// Dimensions of an array.
 pub const MOST_DIMENSIONS: usize = 5;

@@ -1,5 +1,7 @@
 //! What a ray is inside of, and how surfaces bend it (docs/spec/shading.md 10 and 11).
 
+use std::sync::Arc;
+
 use smallvec::SmallVec;
 
 use crate::math::DVec3;
@@ -66,7 +68,7 @@ impl Inside {
     }
 
     /// Whether nothing is around the ray that keeps fog away.
-    pub(super) fn is_hollow(&self, interiors: &[Interior]) -> bool {
+    pub(super) fn is_hollow(&self, interiors: &[Arc<Interior>]) -> bool {
         self.0.iter().all(|&i| interiors[i as usize].hollow)
     }
 
@@ -81,7 +83,7 @@ impl Inside {
     }
 
     /// Goes through a surface of `interior`.
-    pub(super) fn pass(&self, interior: u32, interiors: &[Interior]) -> Passage {
+    pub(super) fn pass(&self, interior: u32, interiors: &[Arc<Interior>]) -> Passage {
         let mut inside = self.clone();
         inside.toggle(interior);
         let media = |number: Option<&u32>| match number {
@@ -102,7 +104,7 @@ impl Inside {
 
     /// The refractive index beyond a surface of `interior` over that on this side, by the rule of
     /// Fresnel reflection: leaving a nested body counts as no change.
-    pub(super) fn fresnel_index(&self, interior: u32, interiors: &[Interior]) -> f64 {
+    pub(super) fn fresnel_index(&self, interior: u32, interiors: &[Arc<Interior>]) -> f64 {
         let ior = interiors[interior as usize].ior;
         match (self.0.last(), self.contains(interior)) {
             (None, _) => ior / AIR,
@@ -144,7 +146,7 @@ mod tests {
 
     #[test]
     fn nested_bodies_refract_against_what_surrounds_them() {
-        let interiors = [glass(1.5), glass(1.2)];
+        let interiors = [glass(1.5), glass(1.2)].map(Arc::new);
         let outer = Inside::default().pass(0, &interiors);
         assert_eq!(outer.ratio, 1.0 / 1.5);
         let inner = outer.inside.pass(1, &interiors);
@@ -155,7 +157,7 @@ mod tests {
 
     #[test]
     fn leaving_an_overlap_goes_straight() {
-        let interiors = [glass(1.5), glass(1.2)];
+        let interiors = [glass(1.5), glass(1.2)].map(Arc::new);
         let passage = Inside::of([0, 1]).pass(0, &interiors);
         assert!(passage.is_straight());
         assert_eq!(passage.inside, Inside::of([1]));
@@ -163,7 +165,7 @@ mod tests {
 
     #[test]
     fn fresnel_reflection_ignores_the_way_out_of_a_nested_body() {
-        let interiors = [glass(1.5), glass(1.2)];
+        let interiors = [glass(1.5), glass(1.2)].map(Arc::new);
         assert_eq!(Inside::default().fresnel_index(0, &interiors), 1.5);
         assert_eq!(Inside::of([0]).fresnel_index(0, &interiors), 1.0 / 1.5);
         assert_eq!(Inside::of([0]).fresnel_index(1, &interiors), 1.2 / 1.5);

@@ -13,7 +13,7 @@ pub struct Pigment {
     /// Where colours come from.
     pub kind: PigmentKind,
     /// `quick_color`, for quality 5 and lower.
-    pub quick_color: Option<Rgbft>,
+    pub quick_color: Option<Arc<Rgbft>>,
 }
 
 /// `density { … }`: a pigment whose filter and transmit mean nothing.

@@ -21,8 +21,10 @@ pub struct Permissions {
     pub read: Option<Vec<Folder>>,
     /// For writing; `None` for any.
     pub write: Option<Vec<Folder>>,
-    /// Whether the user wrote them down, so that they hold for pictures too.
+    /// Whether the user wrote them down.
     pub written: bool,
+    /// Whether they hold for pictures too, which go where the user says otherwise.
+    pub pictures: bool,
 }
 
 impl Folder {
@@ -90,7 +92,7 @@ impl Permissions {
     pub fn check_picture(&self, path: &Path) -> io::Result<()> {
         let folder = path.parent().map(real);
         let device = path.metadata().is_ok_and(|found| !found.is_file());
-        if !self.written && (device || real(path).parent() == folder.as_deref()) {
+        if !self.pictures && (device || real(path).parent() == folder.as_deref()) {
             return Ok(());
         }
         self.check_write(path).map(drop)
@@ -194,7 +196,8 @@ mod tests {
             symlink(target, inside.join(name)).unwrap();
         }
         let allowed = vec![Folder::open(&inside)];
-        let permissions = Permissions { read: Some(allowed.clone()), write: Some(allowed), written: false };
+        let permissions =
+            Permissions { read: Some(allowed.clone()), write: Some(allowed), ..Permissions::default() };
         assert!(permissions.check_read(&inside.join("link")).is_err());
         for (name, permitted) in [
             ("link", false),

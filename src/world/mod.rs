@@ -40,6 +40,8 @@ pub use shape::{Crossing, Shape};
 pub use surface::Intersection;
 pub use texture::Texture;
 
+use std::sync::Arc;
+
 use crate::math::DVec3;
 
 /// Everything a picture is made of.
@@ -50,7 +52,7 @@ pub struct World {
     /// Surfaces, by the numbers that leaves have.
     pub textures: Vec<Texture>,
     /// Fillings, by the numbers that leaves and objects have.
-    pub interiors: Vec<Interior>,
+    pub interiors: Vec<Arc<Interior>>,
     /// Lights in the order of the text.
     pub lights: Vec<Light>,
     /// For each light set of a leaf the numbers of its lights.

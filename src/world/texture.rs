@@ -15,6 +15,8 @@ pub use super::sample::Sample;
 
 use std::sync::Arc;
 
+use smallvec::SmallVec;
+
 use super::image::ImageMap;
 use super::pattern::{Formula, Pattern};
 use super::sample::Enclosing;
@@ -35,15 +37,15 @@ pub struct Texture {
 pub enum TextureBody {
     /// One or more layers, the lowest first.
     Layered {
-        /// The layers.
-        layers: Box<[Layer]>,
+        /// The layers, most often one.
+        layers: SmallVec<[Layer; 1]>,
         /// Some layer lets nothing through anywhere.
         opaque: bool,
     },
     /// A pattern that selects or blends whole textures; for `average` the positions are weights.
     Patterned {
         /// The pattern.
-        pattern: Pattern,
+        pattern: Box<Pattern>,
         /// The textures.
         map: BlendMap<Texture>,
         /// Holds for every normal inside.

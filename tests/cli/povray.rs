@@ -256,9 +256,55 @@ fn constants_and_clock_reach_the_scene() {
 #debug concat("size ", str(Size, 0, 3), " text ", Word, " clock ", str(clock, 0, 3), " on ", str(clock_on, 0, 0), "\n")
 "##;
     desk.write("c.pov", scene);
-    desk.write("c.ini", "Declare=Size=2.5\nDeclare=Word=\"hello\"\n");
-    let answer = desk.povray("c.ini c.pov +K0.25 +W8 +H8 -F");
+    desk.write("c.ini", "Declare=Size=2.5\nDeclare=Word=\"hello\"\nDeclare=Size=7\n");
+    // What is declared first stays, as with POV-Ray.
+    let answer = desk.povray("c.ini c.pov Declare=Size=3 +K0.25 +W8 +H8 -F");
     assert!(answer.err.contains("size 2.500 text hello clock 0.250 on 1\n"), "{}", answer.err);
+}
+
+/// `povray.ini` in the current folder is read unasked, and may have come along with a scene.
+#[test]
+fn an_ini_file_that_nobody_named_writes_no_further_than_a_scene() {
+    let desk = Desk::new();
+    fs::remove_file(desk.path("empty.ini")).unwrap();
+    fs::create_dir_all(desk.path("home/.ssh")).unwrap();
+    let elsewhere = tempfile::tempdir().unwrap();
+    let victim = elsewhere.path().join("victim.png");
+    for line in [
+        format!("Output_File_Name={}", victim.display()),
+        "Output_File_Name=home/.ssh/config".to_owned(),
+        format!("Create_Ini={}", victim.display()),
+        format!("Output_File_Name={}/\nAll_File=victim.png", elsewhere.path().display()),
+    ] {
+        desk.write("povray.ini", &line);
+        let answer = desk.povray("a.pov +W8 +H8");
+        assert_eq!(answer.code, Some(1), "{line}");
+        assert!(answer.err.contains("not permitted"), "{line}: {}", answer.err);
+        assert!(fs::read_dir(elsewhere.path()).unwrap().next().is_none(), "{line}");
+    }
+    // The current folder is the scene's to write in.
+    desk.write("povray.ini", "Output_File_Name=b.png\nAll_File=on");
+    assert_eq!(desk.povray("a.pov +W8 +H8").code, Some(0));
+    assert!(desk.path("b.png").exists() && desk.path("alltext.out").exists());
+    // What the user types, or says in a file they name, goes where they say.
+    desk.write("povray.ini", "Output_File_Name=/nowhere/a.png");
+    assert_eq!(desk.povray(&format!("a.pov +W8 +H8 +O{}", victim.display())).code, Some(0));
+    desk.write("mine.ini", &format!("Output_File_Name={}", elsewhere.path().join("mine.png").display()));
+    assert_eq!(desk.povray("mine.ini a.pov +W8 +H8").code, Some(0));
+    assert!(victim.exists() && elsewhere.path().join("mine.png").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn no_link_leads_the_text_of_a_found_ini_file_elsewhere() {
+    let desk = Desk::new();
+    fs::remove_file(desk.path("empty.ini")).unwrap();
+    let elsewhere = tempfile::tempdir().unwrap();
+    let victim = elsewhere.path().join("victim");
+    std::os::unix::fs::symlink(&victim, desk.path("alltext.out")).unwrap();
+    desk.write("povray.ini", "All_File=on");
+    assert_eq!(desk.povray("a.pov +W8 +H8").code, Some(1));
+    assert!(!victim.exists());
 }
 
 #[test]

@@ -155,8 +155,9 @@ impl Maker<'_> {
                     // POV-Ray does not survive what is no number.
                     spline => {
                         format!(
-                            "{spline}(max(-9, min(20, {}))).{}",
+                            "{spline}(max(-9, min(20, {})){}).{}",
                             self.arithmetic(d),
+                            self.random.one(&["", "", ", quadratic_spline", ", natural_spline"]),
                             self.random.one(&["x", "y", "z"])
                         )
                     }

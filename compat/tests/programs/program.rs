@@ -303,10 +303,9 @@ impl Writer {
         let mut points = String::new();
         let mut key = -2.0;
         for _ in 0..3 + self.random.below(4) {
-            key += [0.5, 1.0, 0.25, 3.0][self.random.below(4)];
-            let vector =
-                format!("<{}, {}, {}>", self.random.below(9), self.random.below(9), self.random.below(9));
-            write!(points, "{key}, {vector}, ").expect("strings take any text");
+            key += [0.5, 1.0, 0.3, 2.7][self.random.below(4)];
+            let [x, y, z] = [9, 99, 999].map(|most| self.random.below(most));
+            write!(points, "{key}, <{x}, {y} / 10, {z} / 100>, ").expect("strings take any text");
         }
         self.line(&format!("#declare {name} = spline {{ {kind} {points} }}"));
         self.names.splines.push(name);

@@ -18,6 +18,10 @@ use crate::options::{Accelerator, Filter, Sampling};
 pub(super) fn of_scene(scene: &Scene) -> Result<Settings, Problem> {
     let environment = Environment::of_process();
     let mut settings = Settings::default();
+    // What is declared first stays.
+    for constant in &scene.declare {
+        settings.declare(constant)?;
+    }
     environment.read(&mut settings)?;
     if let Some(scene) = &scene.scene {
         settings.set(Name::InputFileName, Value::Text(scene.clone()));
@@ -26,9 +30,6 @@ pub(super) fn of_scene(scene: &Scene) -> Result<Settings, Problem> {
         settings.add_library_path(folder);
     }
     environment.add_last_path(&mut settings);
-    for constant in &scene.declare {
-        settings.declare(constant)?;
-    }
     if let Some(clock) = scene.clock {
         settings.set(Name::Clock, Value::Float(clock));
     }

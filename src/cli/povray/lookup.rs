@@ -8,6 +8,9 @@ use crate::cli::Problem;
 use crate::cli::restrictions::INSTALLED;
 use crate::cli::settings::{Name, Settings, Value};
 
+/// The INI file of the current folder, which is read unasked and may have come along with a scene.
+const HERE: &str = "povray.ini";
+
 /// What the surroundings say about INI files and include folders.
 #[derive(Debug, Clone, Default)]
 pub struct Environment {
@@ -34,14 +37,19 @@ impl Environment {
         let home = |name: &str| self.home.as_ref().map(|home| home.join(name));
         let candidates = [
             self.povini.clone(),
-            Some(PathBuf::from("povray.ini")),
+            Some(PathBuf::from(HERE)),
             home(".povray/3.7/povray.ini"),
             Some(PathBuf::from("/etc/povray/3.7/povray.ini")),
             home(".povrayrc"),
             Some(PathBuf::from("/usr/local/etc/povray/3.7/povray.ini")),
         ];
         match candidates.into_iter().flatten().find(|path| path.is_file()) {
-            Some(path) => ini::read_file(&path, None, settings, 0),
+            Some(path) => {
+                settings.finding = path == Path::new(HERE);
+                let read = ini::read_file(&path, None, settings, 0);
+                settings.finding = false;
+                read
+            }
             None => {
                 as_packaged(settings);
                 Ok(())

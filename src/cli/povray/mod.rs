@@ -66,7 +66,7 @@ pub(super) fn main(words: &[String], err: &mut (dyn Write + Send)) -> u8 {
     }
     let read = job(words).and_then(|(settings, job)| {
         let first = job.animation.frames().next().and_then(|frame| job.place(&frame));
-        let files = Files::open(&settings, console::folder(first.as_ref()))?;
+        let files = Files::open(&settings, console::folder(first.as_ref()), &job.permissions)?;
         Ok((settings, job, files))
     });
     let (settings, job, files) = match read {
@@ -108,7 +108,12 @@ pub(super) fn job(words: &[String]) -> Result<(Settings, Job), Problem> {
     environment.add_last_path(&mut settings);
     let job = Job::new(&settings, Restrictions::read(environment.home.as_deref()))?;
     if let Some(path) = settings.text(Name::CreateIni) {
-        std::fs::write(path, settings.to_string())
+        let written = match settings.is_found(Name::CreateIni) {
+            true => job.permissions.check_write(path.as_ref()),
+            false => Ok(path.into()),
+        };
+        written
+            .and_then(|path| std::fs::write(path, settings.to_string()))
             .map_err(|error| Problem::io("write", path.as_ref(), &error))?;
     }
     Ok((settings, job))

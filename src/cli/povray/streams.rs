@@ -7,6 +7,7 @@ use std::path::Path;
 use super::wrap::Wrap;
 use crate::cli::Problem;
 use crate::cli::settings::{Name, Settings};
+use crate::source::Permissions;
 
 /// A kind of text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,12 +60,15 @@ impl Files {
     ///
     /// # Errors
     /// A file's name is a path, or the file cannot be written.
-    pub(super) fn open(settings: &Settings, folder: &Path) -> Result<Self, Problem> {
-        let append = settings.bool(Name::AppendFile) == Some(true);
-        let mut files =
-            Self { everything: open(settings, Name::AllFile, ALL_FILE, folder, append)?, ..Self::default() };
+    pub(super) fn open(
+        settings: &Settings,
+        folder: &Path,
+        permissions: &Permissions,
+    ) -> Result<Self, Problem> {
+        let open = |name, default| open(settings, name, default, folder, permissions);
+        let mut files = Self { everything: open(Name::AllFile, ALL_FILE)?, ..Self::default() };
         for (stream, _, file, default, _) in STREAMS {
-            files.streams[stream as usize] = open(settings, file, default, folder, append)?;
+            files.streams[stream as usize] = open(file, default)?;
         }
         Ok(files)
     }
@@ -138,7 +142,7 @@ fn open(
     name: Name,
     default: &str,
     folder: &Path,
-    append: bool,
+    permissions: &Permissions,
 ) -> Result<Option<File>, Problem> {
     let Some(file) = settings.text(name).filter(|file| !file.is_empty()) else { return Ok(None) };
     if file.contains('/') {
@@ -147,6 +151,12 @@ fn open(
     }
     let yes = ["on", "true", "yes", "1"].iter().any(|word| word.eq_ignore_ascii_case(file));
     let path = folder.join(if yes { default } else { file });
+    let cannot = |error| Problem::io("write", &path, &error);
+    let path = match settings.is_found(name) || settings.is_found(Name::OutputFileName) {
+        true => permissions.check_write(&path).map_err(cannot)?,
+        false => path.clone(),
+    };
+    let append = settings.bool(Name::AppendFile) == Some(true);
     File::options()
         .create(true)
         .write(true)
@@ -154,5 +164,5 @@ fn open(
         .truncate(!append)
         .open(&path)
         .map(Some)
-        .map_err(|error| Problem::io("write", &path, &error))
+        .map_err(cannot)
 }

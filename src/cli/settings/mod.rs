@@ -6,7 +6,7 @@
 mod name;
 pub mod value;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::PathBuf;
 
@@ -20,6 +20,10 @@ use crate::options::Declared;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Settings {
     values: BTreeMap<Name, Value>,
+    /// Options with a value that was found.
+    found: BTreeSet<Name>,
+    /// Whether what is given now was found: stands in a file that nobody named, and that may have come with a scene.
+    pub finding: bool,
     /// Paths to search, in the order given, each once.
     pub library_paths: Vec<PathBuf>,
     /// Constants for the scene, in the order given.
@@ -51,6 +55,15 @@ impl Settings {
     /// Gives an option a value, over any earlier one.
     pub fn set(&mut self, name: Name, value: Value) {
         self.values.insert(name, value);
+        match self.finding {
+            true => self.found.insert(name),
+            false => self.found.remove(&name),
+        };
+    }
+
+    /// Whether an option has its value from a file that nobody named.
+    pub fn is_found(&self, name: Name) -> bool {
+        self.found.contains(&name)
     }
 
     /// Reads a value as the option's kind asks and keeps it.

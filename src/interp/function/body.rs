@@ -29,7 +29,9 @@ struct Arguments {
     arguments: Vec<Expr>,
     /// One of them depends on a parameter.
     varies: bool,
-    /// The last, if it is a number that was not in parentheses.
+    /// Whether the first is a number that was not in parentheses.
+    plain_first: bool,
+    /// The last, if it is such a number.
     plain: Option<f64>,
 }
 
@@ -228,7 +230,8 @@ impl Body {
         vm.take(token);
         let folds = self.folds;
         // `pow` is an operator to POV-Ray, more than a call.
-        let Arguments { arguments, varies, plain } = self.arguments(vm, folds && builtin == Builtin::Pow)?;
+        let Arguments { arguments, varies, plain_first, plain } =
+            self.arguments(vm, folds && builtin == Builtin::Pow)?;
         if arguments.len() < least || arguments.len() > most {
             let wanted = match (least, most) {
                 (least, usize::MAX) => format!("{least} or more arguments"),
@@ -240,7 +243,7 @@ impl Body {
             return Err(vm.error(token.span.to(vm.last), message));
         }
         let expr = match (builtin, plain) {
-            (Builtin::Pow, Some(exponent)) if folds => {
+            (Builtin::Pow, Some(exponent)) if folds && !plain_first => {
                 if exponent == 0.0 && varies {
                     vm.warn(token.span.to(vm.last), "a power of zero is always 1", "");
                 }
@@ -394,6 +397,7 @@ impl Body {
         let open = vm.expect(Punct::OpenParen)?;
         self.deeper(vm, open, |body, vm| {
             let first = body.expression(vm, 0)?;
+            let plain_first = first.plain;
             let (mut arguments, mut varies, mut plain) = (vec![first.expr], first.varies, None);
             while vm.accept_punct(Punct::Comma)? {
                 let next = if folds { body.expression(vm, 0)? } else { body.further(vm)? };
@@ -406,7 +410,7 @@ impl Body {
                 arguments.push(next.expr);
             }
             vm.close_paren(open)?;
-            Ok(Arguments { arguments, varies, plain })
+            Ok(Arguments { arguments, varies, plain_first, plain })
         })
     }
 
@@ -454,10 +458,9 @@ fn binary(op: BinaryOp, left: Expr, right: Expr, plain: bool) -> Expr {
     }
 }
 
-/// `pow` with a plain exponent: those up to 8 are products.
+/// `pow` of anything but a plain number with a plain exponent: those up to 8 are products.
 fn power(arguments: Vec<Expr>, exponent: f64) -> Expr {
     match (arguments.first(), exponent) {
-        (Some(Expr::Constant(base)), _) => Expr::Constant(base.powf(exponent)),
         (_, 0.0) => Expr::Constant(1.0),
         (Some(base), 2.0..=8.0) if exponent.fract() == 0.0 => {
             Expr::Power(Box::new(base.clone()), exponent as u8)

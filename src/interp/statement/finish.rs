@@ -34,6 +34,11 @@ pub(in crate::interp) fn block(vm: &mut Vm<'_>, base: &Arc<Finish>) -> Result<Ar
             }
         }
         scale(finish, &albedo);
+        // Loops make many alike, which then share one.
+        match &vm.state.last_finish {
+            Some(last) if *last == shared => shared.clone_from(last),
+            _ => vm.state.last_finish = Some(Arc::clone(&shared)),
+        }
     }
     vm.close(block)?;
     Ok(shared)

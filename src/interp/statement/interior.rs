@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{color, media};
+use crate::interp::limits::MOST_COLORS;
 use crate::interp::value::Value;
 use crate::interp::{Result, Vm, Word};
 use crate::scene::Interior;
@@ -33,7 +34,7 @@ fn item(vm: &mut Vm<'_>, interior: &mut Interior, word: Word) -> Result<bool> {
         Word::Dispersion => interior.dispersion = vm.after_word(Vm::read_float)? as f32,
         Word::DispersionSamples => {
             vm.next()?;
-            let (samples, place) = vm.located(Vm::read_int)?;
+            let (samples, place) = vm.located(|vm| vm.read_at_most("dispersion_samples", MOST_COLORS))?;
             if samples < 2 {
                 return Err(vm.error(place, "light is split into at least 2 colors"));
             }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{color, map, modifier, object, photons, transform};
+use crate::interp::limits::MOST_LIGHTS;
 use crate::interp::{Block, Result, Vm, Word};
 use crate::math::{DVec3, Rgb, Transform};
 use crate::scene::light::{AreaLight, Light, LightKind};
@@ -132,6 +133,7 @@ fn area_light(vm: &mut Vm<'_>) -> Result<AreaLight> {
     let second = vm.read_vector()?;
     vm.comma()?;
     let mut size = [0; 2];
+    let start = vm.here()?;
     for count in &mut size {
         let (value, place) = vm.located(Vm::read_int)?;
         *count = match u32::try_from(value.abs()) {
@@ -139,6 +141,13 @@ fn area_light(vm: &mut Vm<'_>) -> Result<AreaLight> {
             _ => return Err(vm.error(place, "an area light has at least one light along each edge")),
         };
         vm.comma()?;
+    }
+    let points = size.into_iter().map(u64::from).product::<u64>();
+    if points > MOST_LIGHTS {
+        let message = format!("an area light has at most {MOST_LIGHTS} points, not {points}");
+        return Err(vm
+            .error(start.to(vm.last), message)
+            .help("`adaptive 1` and `jitter` make few of them look soft"));
     }
     Ok(AreaLight {
         axes: [first, second],

@@ -1,6 +1,7 @@
 //! `media { … }` (docs/spec/atmosphere-gi.md 2.1).
 
 use super::{color, pigment, transform};
+use crate::interp::limits::{MOST_MEDIA_LEVELS, MOST_MEDIA_SAMPLES};
 use crate::interp::value::Value;
 use crate::interp::{Result, Vm, Word};
 use crate::math::Rgb;
@@ -55,14 +56,22 @@ fn default(span: Span, version: i32) -> Media {
 
 fn item(vm: &mut Vm<'_>, media: &mut Media, word: Word) -> Result<bool> {
     match word {
-        Word::Method => media.method = checked(vm, "`method` is 1, 2 or 3", |n| (1..=3).contains(&n))?,
-        Word::Intervals => media.intervals = checked(vm, "`intervals` is at least 1", |n| n >= 1)?,
+        Word::Method => {
+            vm.next()?;
+            let (method, place) = vm.located(Vm::read_int)?;
+            if !(1..=3).contains(&method) {
+                return Err(vm.error(place, format!("`method` is 1, 2 or 3, not {method}")));
+            }
+            media.method = method as u32;
+        }
+        Word::Intervals => media.intervals = counted(vm, word, MOST_MEDIA_SAMPLES)?,
         Word::Samples => {
-            media.samples[0] = checked(vm, "`samples` is at least 1", |n| n >= 1)?;
+            media.samples[0] = counted(vm, word, MOST_MEDIA_SAMPLES)?;
             media.samples[1] = media.samples[0];
             vm.comma()?;
             if vm.at_number()? {
-                let (most, place) = vm.located(Vm::read_count)?;
+                let (most, place) = vm.located(|vm| vm.read_at_most("samples", MOST_MEDIA_SAMPLES))?;
+                let most = most.max(0) as u32;
                 if most < media.samples[0] {
                     return Err(vm
                         .error(place, "the most samples are fewer than the least")
@@ -71,7 +80,7 @@ fn item(vm: &mut Vm<'_>, media: &mut Media, word: Word) -> Result<bool> {
                 media.samples[1] = most;
             }
         }
-        Word::AaLevel => media.aa_level = checked(vm, "`aa_level` is at least 1", |n| n >= 1)?,
+        Word::AaLevel => media.aa_level = counted(vm, word, MOST_MEDIA_LEVELS)?,
         Word::AaThreshold => {
             vm.next()?;
             let (threshold, place) = vm.located(Vm::read_float)?;
@@ -104,13 +113,13 @@ fn item(vm: &mut Vm<'_>, media: &mut Media, word: Word) -> Result<bool> {
     Ok(true)
 }
 
-/// Reads the value of a setting that is refused unless `allowed`.
-fn checked(vm: &mut Vm<'_>, message: &str, allowed: impl Fn(i32) -> bool) -> Result<u32> {
+/// Reads the value of a setting of media: at least 1, and at most `most`.
+fn counted(vm: &mut Vm<'_>, word: Word, most: i32) -> Result<u32> {
     vm.next()?;
-    let (number, place) = vm.located(Vm::read_int)?;
+    let (number, place) = vm.located(|vm| vm.read_at_most(word.text(), most))?;
     match u32::try_from(number) {
-        Ok(value) if allowed(number) => Ok(value),
-        _ => Err(vm.error(place, format!("{message}, not {number}"))),
+        Ok(value) if value >= 1 => Ok(value),
+        _ => Err(vm.error(place, format!("`{}` is at least 1, not {number}", word.text()))),
     }
 }
 

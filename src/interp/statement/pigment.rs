@@ -15,7 +15,7 @@ use crate::source::Span;
 pub(in crate::interp) fn block(vm: &mut Vm<'_>, base: &Arc<Pigment>) -> Result<Arc<Pigment>> {
     if let Some(rgb) = vm.replay_color() {
         let kind = PigmentKind::Color(Rgbft::opaque(DVec3::from_array(rgb).as_vec3a()));
-        return Ok(Arc::new(Pigment { kind, quick_color: base.quick_color }));
+        return Ok(shared(vm, Pigment { kind, quick_color: base.quick_color.clone() }));
     }
     let block = vm.enter()?;
     let pigment = body(vm, base, Owner::Pigment)?;
@@ -48,7 +48,7 @@ fn inside(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigm
         Some(Word::UvMapping) => {
             vm.next()?;
             let inner = body(vm, base, owner)?;
-            let quick_color = inner.quick_color;
+            let quick_color = inner.quick_color.clone();
             return Ok(Arc::new(Pigment { kind: PigmentKind::UvMapped(inner), quick_color }));
         }
         _ if start(vm, &mut pigment, owner)? => given = true,
@@ -65,11 +65,25 @@ fn inside(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigm
     Ok(pigment)
 }
 
+/// A pigment of one colour, shared with the one before if that is the same: loops make many alike.
+fn shared(vm: &mut Vm<'_>, pigment: Pigment) -> Arc<Pigment> {
+    let same = |last: &&Arc<Pigment>| match (&last.kind, &pigment.kind) {
+        (PigmentKind::Color(last_color), PigmentKind::Color(color)) => {
+            last_color == color && last.quick_color == pigment.quick_color
+        }
+        _ => false,
+    };
+    if let Some(last) = vm.state.last_pigment.as_ref().filter(same) {
+        return Arc::clone(last);
+    }
+    Arc::clone(vm.state.last_pigment.insert(Arc::new(pigment)))
+}
+
 /// Reads a colour, a picture or a pattern, if one comes next.
 pub(super) fn start(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner) -> Result<bool> {
     if vm.at_color()? {
         let kind = PigmentKind::Color(color::rgbft(vm)?);
-        *pigment = Arc::new(Pigment { kind, quick_color: pigment.quick_color });
+        *pigment = shared(vm, Pigment { kind, quick_color: pigment.quick_color.clone() });
         return Ok(true);
     }
     match vm.peek_word()? {
@@ -117,7 +131,7 @@ fn with_pattern(vm: &mut Vm<'_>, base: &Pigment, field: Field, owner: Owner) -> 
             _ => PigmentKind::Colors { field: Arc::new(field), map: None },
         },
     };
-    Ok(Arc::new(Pigment { kind, quick_color: base.quick_color }))
+    Ok(Arc::new(Pigment { kind, quick_color: base.quick_color.clone() }))
 }
 
 /// The new pattern in the surroundings of the old one.
@@ -199,7 +213,7 @@ pub(super) fn modifier(
         }
         Word::QuickColor | Word::QuickColour => {
             vm.next()?;
-            Arc::make_mut(pigment).quick_color = Some(color::rgbft(vm)?);
+            Arc::make_mut(pigment).quick_color = Some(Arc::new(color::rgbft(vm)?));
         }
         _ if pattern::is_modifier(word) => {
             match Arc::make_mut(pigment).field_mut() {

@@ -40,6 +40,15 @@ impl Vm<'_> {
         Ok(self.read_int()?.max(0) as u32)
     }
 
+    /// Reads a whole number that is at most `most`: with more, a single point might never be done.
+    pub(super) fn read_at_most(&mut self, what: &str, most: i32) -> Result<i32> {
+        let (number, place) = self.located(Self::read_int)?;
+        if number > most {
+            self.warn(place, format!("`{what}` is at most {most}"), &format!("{most} is taken"));
+        }
+        Ok(number.min(most))
+    }
+
     /// Reads `< F, F … >` with `count` components, more than a vector has.
     pub(super) fn read_components(&mut self, count: usize) -> Result<Vec<f64>> {
         let open = self.peek()?;

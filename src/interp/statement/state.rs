@@ -38,6 +38,9 @@ pub struct State {
     pub(super) fogs: Vec<Fog>,
     pub(super) rainbows: Vec<Rainbow>,
     pub(super) atmosphere: Vec<Media>,
+    /// The last pigment of one colour, and the last finish: others alike share them.
+    pub(super) last_pigment: Option<Arc<Pigment>>,
+    pub(super) last_finish: Option<Arc<Finish>>,
     objects: Vec<Arc<Object>>,
 }
 
@@ -64,6 +67,8 @@ impl Default for State {
             fogs: Vec::new(),
             rainbows: Vec::new(),
             atmosphere: Vec::new(),
+            last_pigment: None,
+            last_finish: None,
             objects: Vec::new(),
         }
     }

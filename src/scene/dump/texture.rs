@@ -74,7 +74,7 @@ pub(super) fn pigment(word: &str, pigment: &Pigment) -> Block {
         }
         PigmentKind::UvMapped(inner) => block.line("uv_mapping").extend(self::pigment("", inner)),
     };
-    block.optional("quick_color", pigment.quick_color.map(color))
+    block.optional("quick_color", pigment.quick_color.as_deref().copied().map(color))
 }
 
 /// A normal.

@@ -24,13 +24,16 @@ const MANY: usize = 2048;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Item {
     pub(super) bounds: Bounds,
-    pub(super) center: DVec3,
     pub(super) number: u32,
 }
 
 impl Item {
     pub(super) fn new((bounds, number): (Bounds, u32)) -> Self {
-        Self { bounds, center: bounds.center(), number }
+        Self { bounds, number }
+    }
+
+    fn center(&self) -> DVec3 {
+        self.bounds.center()
     }
 }
 
@@ -142,15 +145,15 @@ fn around(items: &[Item]) -> Bounds {
 
 /// Two parts, neither empty.
 fn split(items: &mut [Item], depth: u32) -> (&mut [Item], &mut [Item]) {
-    let centers = Bounds::of(items.iter().map(|item| item.center));
+    let centers = Bounds::of(items.iter().map(|item| item.center()));
     let best = (depth < DEPTH_OF_HEURISTIC).then(|| best_cut(items, centers)).flatten();
     let middle = match best {
-        Some(cut) => partition(items, |item| cut.bin(item.center) < cut.bin),
+        Some(cut) => partition(items, |item| cut.bin(item.center()) < cut.bin),
         None => {
             let axis = centers.size().max_position();
             let half = items.len() / 2;
             items.select_nth_unstable_by(half, |a, b| {
-                a.center[axis].total_cmp(&b.center[axis]).then(a.number.cmp(&b.number))
+                a.center()[axis].total_cmp(&b.center()[axis]).then(a.number.cmp(&b.number))
             });
             half
         }
@@ -189,7 +192,7 @@ fn best_cut(items: &[Item], centers: Bounds) -> Option<Cut> {
         let mut bins = [(0usize, Bounds::EMPTY); BINS];
         let bins = &mut bins[..count];
         for item in items {
-            let (count, bounds) = &mut bins[cut.bin(item.center)];
+            let (count, bounds) = &mut bins[cut.bin(item.center())];
             *count += 1;
             *bounds = bounds.union(item.bounds);
         }

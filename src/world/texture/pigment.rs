@@ -10,15 +10,15 @@ use crate::world::pattern::Pattern;
 use crate::world::sample::{Colors, Field, Sample};
 use crate::world::warp::Warps;
 
-/// Where colours come from.
+/// Where colours come from. Small, as most are of one colour and scenes have millions.
 #[derive(Clone, Debug)]
 pub enum Pigment {
     /// One colour everywhere.
     Color(Rgbft),
     /// A pattern looked up in a map of colours.
-    Colors(Pattern, BlendMap<Rgbft>),
+    Colors(Box<Pattern>, BlendMap<Rgbft>),
     /// A pattern looked up in a map of pigments, which are evaluated at the pattern's warped point.
-    Pigments(Pattern, BlendMap<Arc<Pigment>>),
+    Pigments(Box<Pattern>, BlendMap<Arc<Pigment>>),
     /// `average`: the map's positions are weights.
     Average(Warps, BlendMap<Arc<Pigment>>),
     /// `image_map`.

@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use super::pattern::Owner;
 use super::{normal, pigment, transform};
+use crate::interp::limits::MOST_BLUR_SAMPLES;
 use crate::interp::value::Value;
 use crate::interp::{Block, Result, Vm, Word};
 use crate::scene::Camera;
@@ -251,9 +252,10 @@ fn check_angle(vm: &Vm<'_>, angle: f64, place: Span) -> Result<()> {
 
 fn blur_samples(vm: &mut Vm<'_>, draft: &mut Draft, old: bool) -> Result<()> {
     vm.next()?;
-    let (first, place) = vm.located(Vm::read_int)?;
+    let count = |vm: &mut Vm<'_>| vm.read_at_most("blur_samples", MOST_BLUR_SAMPLES);
+    let (first, place) = vm.located(count)?;
     vm.comma()?;
-    let second = if !old && vm.at_number()? { Some(vm.read_int()?) } else { None };
+    let second = if !old && vm.at_number()? { Some(count(vm)?) } else { None };
     let place = place.to(vm.last);
     let (least, most) = match second {
         Some(most) => (first, most),

@@ -1,5 +1,6 @@
 //! `mandel`, `julia` and `magnet` (docs/spec/patterns-textures.md 2.5).
 
+use crate::interp::limits::MOST_ITERATIONS;
 use crate::interp::{Result, Vm, Word};
 use crate::scene::Pattern;
 use crate::scene::pattern::{Fractal, FractalKind};
@@ -19,16 +20,16 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Pattern> {
             }
         };
     }
-    let julia = if vm.accept(Word::Julia)? {
+    let (julia, word) = if vm.accept(Word::Julia)? {
         let constant = vm.read_uv()?;
         vm.comma()?;
-        Some(constant)
+        (Some(constant), Word::Julia)
     } else if vm.accept(Word::Mandel)? {
-        None
+        (None, Word::Mandel)
     } else {
         return Err(vm.expected("`mandel` or `julia`"));
     };
-    let iterations = vm.read_count()?;
+    let iterations = vm.read_at_most(word.text(), MOST_ITERATIONS)?.max(0) as u32;
     Ok(Pattern::Fractal(Box::new(Fractal {
         kind,
         julia,

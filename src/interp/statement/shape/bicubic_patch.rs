@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::interp::limits::MOST_PATCH_STEPS;
 use crate::interp::{Result, Vm, Word};
 use crate::math::DVec3;
 use crate::scene::{Shape, shape::BicubicPatch};
@@ -19,8 +20,11 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
                 kind = Some(vm.located(Vm::read_int)?);
             }
             Word::Flatness => flatness = vm.after_word(Vm::read_float)?,
-            Word::USteps => steps[0] = vm.after_word(Vm::read_count)?,
-            Word::VSteps => steps[1] = vm.after_word(Vm::read_count)?,
+            Word::USteps | Word::VSteps => {
+                vm.next()?;
+                let count = vm.read_at_most(word.text(), MOST_PATCH_STEPS)?;
+                steps[usize::from(word == Word::VSteps)] = count.max(0) as u32;
+            }
             Word::Accuracy => accuracy = vm.after_word(Vm::read_float)?,
             _ => break,
         }

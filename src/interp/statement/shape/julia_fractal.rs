@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::interp::limits::MOST_ITERATIONS;
 use crate::interp::{Result, Vm, Word};
 use crate::math::DVec4;
 use crate::scene::Shape;
@@ -26,7 +27,10 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
                 vm.next()?;
                 julia.hypercomplex = word == Word::Hypercomplex;
             }
-            Word::MaxIteration => julia.max_iteration = vm.after_word(Vm::read_count)?,
+            Word::MaxIteration => {
+                vm.next()?;
+                julia.max_iteration = vm.read_at_most("max_iteration", MOST_ITERATIONS)?.max(0) as u32;
+            }
             Word::Precision => julia.precision = vm.after_word(Vm::read_float)?,
             Word::Slice => {
                 vm.next()?;

@@ -2,6 +2,9 @@
 
 use super::{Formula, Number, PARAMETERS};
 
+/// Octaves that are summed up at most: long before, there is nothing left of their coordinates.
+const MOST_OCTAVES: f64 = 10_000.0;
+
 /// Parameters besides the point, and the formula. `generator` is the scene's.
 pub(super) fn find<N: Number>(number: u8, generator: u8) -> Option<(usize, Formula<N>)> {
     let by_scene: Formula<N> = match generator {
@@ -40,6 +43,7 @@ fn scaled<N: Number>([x, y, z]: [N; 3], by: f64) -> [N; 3] {
 
 fn hetero_mf<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     let Some([h, lacunarity, octaves, offset, t, generator]) = settings(p) else { return N::unknown() };
+    let octaves = octaves.min(MOST_OCTAVES);
     let height = |q| N::noise(generator_of(generator), q) * 2.0 - 1.0 + offset;
     let mut q = [x, y, z];
     let mut sum = height(q);
@@ -59,6 +63,7 @@ fn hetero_mf<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
 
 fn ridge<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     let Some([lambda, octaves, omega, offset, ridge, generator]) = settings(p) else { return N::unknown() };
+    let octaves = octaves.min(MOST_OCTAVES);
     let start = [x, y, z];
     let span = ridge.max(1.0 - ridge);
     let height = |q| (N::noise(generator_of(generator), q) - ridge).abs() / span - offset;
@@ -80,6 +85,7 @@ fn ridge<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
 
 fn ridged_mf<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     let Some([h, lacunarity, octaves, offset, gain, generator]) = settings(p) else { return N::unknown() };
+    let octaves = octaves.min(MOST_OCTAVES);
     let mut q = [x, y, z];
     let height = |q| {
         let crest = -(N::noise(generator_of(generator), q) * 2.0 - 1.0).abs() + offset;
