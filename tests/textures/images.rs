@@ -83,9 +83,9 @@ fn material_maps_select_by_index_or_by_red() {
     let selected = || {
         let text = "plane{z,0 texture{material_map{png \"a.png\" \
             texture{pigment{rgb 0}} texture{pigment{rgb 1}} texture{pigment{rgb 2}}}}}";
-        let sample = Sample::on_surface(DVec3::new(0.5, 0.5, 0.0), -DVec3::Z, DVec3::Z, DVec2::ZERO);
+        let mut sample = Sample::on_surface(DVec3::new(0.5, 0.5, 0.0), -DVec3::Z, DVec3::Z, DVec2::ZERO);
         let mut found = Vec::new();
-        texture(text, folder.path()).unwrap().resolve(&sample, &mut |weight, layers, sample| {
+        texture(text, folder.path()).unwrap().resolve(&mut sample, &mut |weight, layers, sample| {
             found.push((weight, layers[0].pigment.color(sample).unwrap().rgb.x));
         });
         let [(1.0, red)] = found[..] else { panic!("{found:?}") };
@@ -193,9 +193,9 @@ fn heights_have_sixteen_bits() {
     fs::write(folder.path().join("a.pot"), bytes).unwrap();
     let text = "#declare Field = height_field{pot \"a.pot\"} \
         sphere{0,1 pigment{rgb <trace(Field,<.001,2,.5>,-y).y, trace(Field,<.999,2,.5>,-y).y, 0>}}";
-    let sample = Sample::on_surface(DVec3::X, -DVec3::Z, DVec3::Z, DVec2::ZERO);
+    let mut sample = Sample::on_surface(DVec3::X, -DVec3::Z, DVec3::Z, DVec2::ZERO);
     let mut heights = DVec2::ZERO;
-    texture(text, folder.path()).unwrap().resolve(&sample, &mut |_, layers, sample| {
+    texture(text, folder.path()).unwrap().resolve(&mut sample, &mut |_, layers, sample| {
         let color = layers[0].pigment.color(sample).unwrap().rgb;
         heights = DVec2::new(f64::from(color.x), f64::from(color.y));
     });
@@ -211,9 +211,9 @@ fn max_extent_tells_the_size_of_an_image() {
             "#declare P = pigment{{{pigment}}} #declare S = max_extent(P);
              sphere{{0,1 pigment{{rgb <S.x,S.y,S.z>}}}}"
         );
-        let sample = Sample::on_surface(DVec3::X, -DVec3::Z, DVec3::Z, DVec2::ZERO);
+        let mut sample = Sample::on_surface(DVec3::X, -DVec3::Z, DVec3::Z, DVec2::ZERO);
         let mut size = Default::default();
-        texture(&text, folder.path())?.resolve(&sample, &mut |_, layers, sample| {
+        texture(&text, folder.path())?.resolve(&mut sample, &mut |_, layers, sample| {
             size = layers[0].pigment.color(sample).unwrap().rgb.to_array();
         });
         Ok::<_, String>(size)
