@@ -6,6 +6,7 @@
 mod bracket;
 mod descartes;
 mod polynomial;
+mod unbounded;
 
 pub use bracket::between;
 pub use polynomial::{Roots, roots_between};

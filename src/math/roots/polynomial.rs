@@ -1,6 +1,10 @@
 //! Bracketed Newton on the monotone stretches of a polynomial (Yuksel, High Performance Graphics 2022).
 
 use super::descartes::isolated;
+use super::unbounded::{bounds, unbounded};
+
+/// The largest quotient of roots, as a power of two, with which they are looked for all at once.
+const ALIKE: i32 = 10;
 
 /// The real roots of a polynomial with at most `N` coefficients, ascending.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +21,11 @@ impl<const N: usize> Roots<N> {
     pub(super) fn push(&mut self, root: f64) {
         self.values[self.count] = root;
         self.count += 1;
+    }
+
+    /// Appends roots that are larger, as far as there is room.
+    pub(super) fn extend(&mut self, larger: impl Iterator<Item = f64>) {
+        larger.take(N - self.count).for_each(|root| self.push(root));
     }
 
     /// The same roots in another unit; `change` must keep their order.
@@ -37,10 +46,9 @@ impl<const N: usize> Roots<N> {
 ///
 /// A simple root is exact to the last bits its coefficients determine, a double one to half of them.
 pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) -> Roots<N> {
-    let length = coefficients.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1);
-    let coefficients = &coefficients[..length];
-    if length < 2
-        || length > N
+    let coefficients = trimmed(coefficients);
+    if coefficients.len() < 2
+        || coefficients.len() > N
         || low.is_nan()
         || high.is_nan()
         || low > high
@@ -48,15 +56,29 @@ pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) 
     {
         return Roots::new();
     }
-    let (mut low, mut high) = (low, high);
     if low == f64::NEG_INFINITY || high == f64::INFINITY {
-        let bound = root_bound(coefficients);
-        (low, high) = (low.max(-bound), high.min(bound));
-        if low > high {
-            return Roots::new();
-        }
+        return match bounds(coefficients) {
+            // Bernstein's coefficients tell apart what is not much closer to each other than to 0.
+            (least, most) if most - least <= ALIKE => {
+                let bound = 2f64.powi(most);
+                let (low, high) = (low.max(-bound), high.min(bound));
+                if low > high { Roots::new() } else { roots_within(coefficients, low, high) }
+            }
+            _ => unbounded(coefficients, low, high),
+        };
     }
-    let isolated = match length {
+    roots_within(coefficients, low, high)
+}
+
+/// Without leading coefficients that are 0.
+pub(super) fn trimmed(coefficients: &[f64]) -> &[f64] {
+    &coefficients[..coefficients.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1)]
+}
+
+/// The same in a finite interval, of a polynomial without a leading zero.
+pub(super) fn roots_within<const N: usize>(coefficients: &[f64], low: f64, high: f64) -> Roots<N> {
+    let isolated = match coefficients.len() {
+        0 | 1 => return Roots::new(),
         2 => isolated::<2, N>(coefficients, low, high),
         3 => isolated::<3, N>(coefficients, low, high),
         4 => isolated::<4, N>(coefficients, low, high),
@@ -83,22 +105,6 @@ fn by_derivatives<const N: usize>(coefficients: &[f64], low: f64, high: f64) -> 
         ends = stretch_roots(&derivative[..length - order], low, high, &ends);
     }
     ends
-}
-
-/// Fujiwara's bound on the absolute value of every root, rounded up to a power of two; not finite for
-/// extreme coefficients.
-fn root_bound(coefficients: &[f64]) -> f64 {
-    let degree = coefficients.len() - 1;
-    let lead = coefficients[degree];
-    let exponent = |i: usize| {
-        let ratio = (coefficients[i] / lead).abs();
-        // The power of two above, and the root of it above that.
-        let above = (ratio.to_bits() >> 52) as i32 - 1022;
-        (above as f64 / (degree - i) as f64).ceil()
-    };
-    let places = (0..degree).filter(|&i| coefficients[i] != 0.0);
-    let largest = places.map(exponent).fold(f64::NEG_INFINITY, f64::max);
-    (2.0 * largest.exp2()).min(f64::MAX)
 }
 
 /// Coefficients of the `order`-th derivative over `order!`.
@@ -151,7 +157,7 @@ fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
 }
 
 /// The value, or zero where its sign is lost in the rounding of coefficients and evaluation.
-fn value_above_noise(c: &[f64], x: f64) -> f64 {
+pub(super) fn value_above_noise(c: &[f64], x: f64) -> f64 {
     let (value, size) =
         c.iter().rev().fold((0.0, 0.0), |(v, s): (f64, f64), c| (v * x + c, s * x.abs() + c.abs()));
     if value.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { value }
@@ -238,6 +244,25 @@ mod tests {
         let found = roots(&[-1.0, 1.0, 0.0, 0.0, 1e-8]);
         assert_eq!(found.len(), 2);
         assert!((found[1] - 0.999_999_990_000_000_4).abs() < 1e-15, "{found:?}");
+    }
+
+    #[test]
+    fn coefficients_of_all_sizes_leave_every_root_to_be_found() {
+        // A root near 1 of each, and one that a tiny leading coefficient puts far away.
+        for degree in [3, 7, 15] {
+            for exponent in [-20, -42, -150, -300] {
+                let lead = 10f64.powi(exponent);
+                let mut c = [0.0; 16];
+                (c[0], c[degree - 1], c[degree]) = (-2.0, 1.0, lead);
+                let found = roots_between::<16>(&c, f64::NEG_INFINITY, f64::INFINITY);
+                let near = 2f64.powf(1.0 / (degree - 1) as f64);
+                close(found.as_slice(), &[-1.0 / lead, -near, near], 1e-14);
+                let ahead = roots_between::<16>(&c, 0.0, f64::INFINITY);
+                close(ahead.as_slice(), &[near], 1e-14);
+            }
+        }
+        // (x - 1)(x - 1e90)(x + 1e-90)
+        close(&roots(&[1.0, 1e90, -1e90, 1.0]), &[-1e-90, 1.0, 1e90], 1e-14);
     }
 
     #[test]
