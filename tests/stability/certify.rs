@@ -9,8 +9,14 @@ use crate::real::Jet;
 pub(crate) trait Along {
     fn rough(&self, t: Interval<f64>) -> Jet<f64>;
     fn fine(&self, t: Interval<Double>) -> Jet<Double>;
+    /// Whether no zero in an interval counts, for sure.
+    fn is_beyond(&self, _t: Interval<f64>) -> bool {
+        false
+    }
     /// The sign of what has to be negative for a zero to count; `None` where it is in doubt.
-    fn counts(&self, t: Interval<Double>) -> Option<bool>;
+    fn counts(&self, _t: Interval<Double>) -> Option<bool> {
+        Some(true)
+    }
 }
 
 /// What is known about the zeros in a range.
@@ -33,6 +39,7 @@ enum Cell<S> {
 /// Splits a range until every part is known or narrower than `least`.
 fn isolate<S: Scalar>(
     f: impl Fn(Interval<S>) -> Jet<S>,
+    is_beyond: impl Fn(Interval<f64>) -> bool,
     range: Interval<S>,
     least: f64,
     mut found: impl FnMut(Cell<S>),
@@ -50,7 +57,8 @@ fn isolate<S: Scalar>(
             continue;
         }
         let jet = f(part);
-        if !jet.value.has_zero() {
+        let (low, high) = (part.low.to_f64().next_down(), part.high.to_f64().next_up());
+        if !jet.value.has_zero() || is_beyond(Interval { low, high }) {
             continue;
         }
         let width = part.high - part.low;
@@ -89,6 +97,7 @@ pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
     let scale = high - low;
     isolate(
         |t| f.rough(t),
+        |t| f.is_beyond(t),
         Interval { low, high },
         1e-9 * scale,
         |cell| match cell {
@@ -106,6 +115,7 @@ pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
     for doubt in doubts {
         isolate(
             |t| f.fine(t),
+            |t| f.is_beyond(t),
             doubt,
             1e-20 * scale,
             |cell| match cell {

@@ -22,6 +22,10 @@ pub(crate) trait Scalar:
     fn down(self) -> Self;
     fn up(self) -> Self;
     fn root(self) -> Self;
+    /// What surely holds a number.
+    fn around(x: Double) -> Interval<Self>;
+    /// The same, and where digits are few all that is within `room` of it.
+    fn loosely(x: Double, room: f64) -> Interval<Self>;
 }
 
 impl Scalar for f64 {
@@ -39,6 +43,13 @@ impl Scalar for f64 {
     }
     fn root(self) -> Self {
         self.sqrt()
+    }
+    fn around(x: Double) -> Interval<Self> {
+        let near = x.to_f64();
+        if x == Double::of(near) { Interval::point(near) } else { Interval::point(near).widened(0.0) }
+    }
+    fn loosely(x: Double, room: f64) -> Interval<Self> {
+        Self::around(x).widened(room)
     }
 }
 
@@ -60,6 +71,12 @@ impl Scalar for Double {
     }
     fn root(self) -> Self {
         self.sqrt()
+    }
+    fn around(x: Double) -> Interval<Self> {
+        Interval::point(x)
+    }
+    fn loosely(x: Double, _: f64) -> Interval<Self> {
+        Interval::point(x)
     }
 }
 

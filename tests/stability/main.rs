@@ -13,6 +13,7 @@
 //! ```
 
 mod certify;
+mod curve;
 mod double;
 mod interval;
 mod invariance;
@@ -33,7 +34,7 @@ use povista::options::{LanguageOptions, RenderOptions};
 use povista::source::{Library, Source, Sources};
 use povista::world::World;
 
-use model::Model;
+use model::Subject;
 use shoot::{Score, Target};
 
 /// Sizes a subject is made in.
@@ -52,12 +53,12 @@ fn world(object: &str) -> World {
     let main = sources.add(Source::new("subject.pov", "", text.into_bytes()));
     let mut sink = Collect::default();
     let scene = interpret(main, &mut sources, &LanguageOptions::default(), &mut sink);
-    let scene = scene.unwrap_or_else(|| panic!("{object}: {:?}", sink.diagnostics));
+    let scene = scene.unwrap_or_else(|| panic!("{object:.400}: {:?}", sink.diagnostics));
     compile(scene, &RenderOptions::new(8, 6)).world
 }
 
 /// Shoots at one object in one place, on all processors.
-fn score<M: Model>(model: &M, object: &str, size: f64, place: DVec3) -> Score {
+fn score<M: Subject>(model: &M, object: &str, size: f64, place: DVec3) -> Score {
     let world = world(object);
     let target = Target { model, geometry: &world.geometry, size, place };
     if let Some(rays) = povray::rays() {
@@ -94,7 +95,7 @@ fn score<M: Model>(model: &M, object: &str, size: f64, place: DVec3) -> Score {
 }
 
 /// Puts a subject through all sizes and places: what `make` makes is an object and its model.
-fn shoot_at<M: Model>(name: &str, make: impl Fn(f64) -> (String, M)) {
+fn shoot_at<M: Subject>(name: &str, make: impl Fn(f64) -> (String, M)) {
     let (mut sized, mut placed) = (Score::default(), Score::default());
     for size in SIZES {
         let (object, model) = make(size);

@@ -24,10 +24,22 @@ pub(crate) trait Model: Sync {
     fn reach(&self) -> f64;
 }
 
+/// What is shot at: a [`Model`], or a surface whose crossings are found in a way of its own.
+pub(crate) trait Subject: Sync {
+    /// Half the side of a cube about the origin that holds the surface, or what is looked at of it.
+    fn reach(&self) -> f64;
+
+    /// All crossings of a line within a little more than the reach.
+    fn meet(&self, line: &Line) -> Meeting;
+
+    /// A function that is zero on the surface: its sensitivity to the inputs and its gradient at a crossing.
+    fn sensitivity(&self, line: &Line, at: &Exact) -> Moved;
+}
+
 /// A ray in the space of a model, from where it passes the origin.
 pub(crate) struct Line {
     pub(crate) origin: [Double; 3],
-    pub(crate) direction: [f64; 3],
+    pub(crate) direction: [Double; 3],
     /// Distance from the ray's own start to here.
     pub(crate) shift: f64,
     /// How far rounding of the ray's and the place's numbers by four units may move it.
@@ -45,7 +57,7 @@ impl Line {
         });
         let size = [ray.origin, place, shift * ray.direction].map(|v| v.abs().max_element());
         let room = 4.0 * f64::EPSILON * size.iter().fold(reach, |a, b| a.max(*b));
-        Self { origin, direction: ray.direction.to_array(), shift, room }
+        Self { origin, direction: ray.direction.to_array().map(Double::of), shift, room }
     }
 
     /// The same moved aside.
@@ -56,7 +68,7 @@ impl Line {
 
     fn at<S: Scalar>(&self, t: Interval<S>, start: impl Fn(Double) -> Interval<S>) -> [Jet<S>; 3] {
         std::array::from_fn(|i| {
-            let slope = Interval::of(self.direction[i]);
+            let slope = S::around(self.direction[i]);
             Jet { value: start(self.origin[i]) + t * slope, slope }
         })
     }
@@ -71,9 +83,11 @@ impl Line {
 
     /// The point nearest to the exact one.
     pub(crate) fn point(&self, t: Double) -> DVec3 {
-        DVec3::from_array(std::array::from_fn(|i| {
-            (self.origin[i] + t * Double::of(self.direction[i])).to_f64()
-        }))
+        DVec3::from_array(std::array::from_fn(|i| (self.origin[i] + t * self.direction[i]).to_f64()))
+    }
+
+    pub(crate) fn direction(&self) -> DVec3 {
+        DVec3::from_array(self.direction.map(Double::to_f64))
     }
 }
 
@@ -92,6 +106,11 @@ impl<M: Model> Along for Piece<'_, M> {
         self.model.equation(self.number, &self.line.fine(t))
     }
 
+    fn is_beyond(&self, t: Interval<f64>) -> bool {
+        let limit = self.model.limit(self.number, &self.line.rough(t));
+        limit.is_some_and(|limit| limit.value.is_positive())
+    }
+
     fn counts(&self, t: Interval<Double>) -> Option<bool> {
         let Some(limit) = self.model.limit(self.number, &self.line.fine(t)) else { return Some(true) };
         (!limit.value.has_zero()).then(|| limit.value.is_negative())
@@ -99,10 +118,13 @@ impl<M: Model> Along for Piece<'_, M> {
 }
 
 /// A crossing, exactly.
+#[derive(Clone, Copy)]
 pub(crate) struct Exact {
     /// From where the line passes the origin.
     pub(crate) t: Double,
     pub(crate) piece: usize,
+    /// Where on the piece, if that is a curve.
+    pub(crate) w: Double,
 }
 
 /// Everything known about a line and a model.
@@ -114,33 +136,44 @@ pub(crate) struct Meeting {
     pub(crate) close: bool,
 }
 
+impl Meeting {
+    pub(crate) fn sorted(mut self) -> Self {
+        self.crossings.sort_by(|a, b| a.t.partial_cmp(&b.t).expect("crossings are at numbers"));
+        self
+    }
+}
+
 /// Half the length of the line that is looked at; `None` of one that passes far away.
-pub(crate) fn half_length(model: &impl Model, line: &Line) -> Option<f64> {
+pub(crate) fn half_length(model: &impl Subject, line: &Line) -> Option<f64> {
     // More than the way from the middle of the cube to its corners.
     let reach = 1.8 * model.reach();
     let beside = line.point(Double::of(0.0)).abs().max_element();
-    (beside <= reach).then(|| reach / DVec3::from_array(line.direction).length())
+    (beside <= reach).then(|| reach / line.direction().length())
 }
 
-pub(crate) fn meet<M: Model>(model: &M, line: &Line) -> Meeting {
-    let mut out = Meeting::default();
-    let Some(half) = half_length(model, line) else { return out };
-    for number in 0..model.pieces() {
-        let Zeros { at, doubtful, close } = zeros(&Piece { model, number, line }, -half, half);
-        out.crossings.extend(at.into_iter().map(|t| Exact { t, piece: number }));
-        out.doubtful.extend(doubtful);
-        out.close |= close;
+impl<M: Model> Subject for M {
+    fn reach(&self) -> f64 {
+        Model::reach(self)
     }
-    out.crossings.sort_by(|a, b| a.t.partial_cmp(&b.t).expect("crossings are at numbers"));
-    out
-}
 
-/// The equation with its sensitivity to the inputs and its gradient at a crossing.
-pub(crate) fn sensitivity<M: Model>(model: &M, line: &Line, at: &Exact) -> Moved {
-    let p = line.point(at.t);
-    let point = std::array::from_fn(|i| {
-        let slope = std::array::from_fn(|j| f64::from(u8::from(i == j)));
-        Moved { value: p[i], by: p[i].abs() + line.room / (4.0 * f64::EPSILON), slope }
-    });
-    model.equation(at.piece, &point)
+    fn meet(&self, line: &Line) -> Meeting {
+        let mut out = Meeting::default();
+        let Some(half) = half_length(self, line) else { return out };
+        for number in 0..self.pieces() {
+            let Zeros { at, doubtful, close } = zeros(&Piece { model: self, number, line }, -half, half);
+            out.crossings.extend(at.into_iter().map(|t| Exact { t, piece: number, w: Double::of(0.0) }));
+            out.doubtful.extend(doubtful);
+            out.close |= close;
+        }
+        out.sorted()
+    }
+
+    fn sensitivity(&self, line: &Line, at: &Exact) -> Moved {
+        let p = line.point(at.t);
+        let point = std::array::from_fn(|i| {
+            let slope = std::array::from_fn(|j| f64::from(u8::from(i == j)));
+            Moved { value: p[i], by: p[i].abs() + line.room / (4.0 * f64::EPSILON), slope }
+        });
+        self.equation(at.piece, &point)
+    }
 }

@@ -1,15 +1,15 @@
 //! The same rays, the nearest hit of each, put to POV-Ray's `trace()`: by hand, since it takes minutes.
 //!
 //! ```text
-//! POVISTA_STABILITY_POVRAY=1000 cargo test --profile testing --test stability subject -- --nocapture
+//! cargo test --profile testing --test stability povrays -- --ignored --nocapture
 //! ```
 //!
-//! shoots so many rays at every size and place and writes `povray.txt`.
+//! writes `povray.txt`. `POVISTA_STABILITY_POVRAY=1000` in the environment does it for the tests that run.
 
 use std::fmt::Write;
 use std::process::Command;
 
-use crate::model::Model;
+use crate::model::Subject;
 use crate::shoot::{Score, Target};
 
 /// How many rays to ask about, if any.
@@ -18,7 +18,7 @@ pub(crate) fn rays() -> Option<u64> {
 }
 
 /// POV-Ray's score; `None` where it refuses the object.
-pub(crate) fn score<M: Model>(target: &Target<M>, object: &str, rays: u64) -> Option<Score> {
+pub(crate) fn score<M: Subject>(target: &Target<M>, object: &str, rays: u64) -> Option<Score> {
     let folder = tempfile::tempdir().ok()?;
     let mut text = format!(
         "#version 3.7; global_settings {{ assumed_gamma 1 }}\n#declare Thing = {object}\n\
@@ -45,4 +45,16 @@ pub(crate) fn score<M: Model>(target: &Target<M>, object: &str, rays: u64) -> Op
         all.add(&target.judge_nearest(number, found));
     }
     (all.rays == rays).then_some(all)
+}
+
+/// Rays to a size or place that POV-Ray is asked about.
+const RAYS: &str = "1000";
+
+#[test]
+#[ignore = "asks POV-Ray, which takes some minutes, and writes its table"]
+fn povrays_table_is_written() {
+    let this = std::env::current_exe().expect("the tests have a program");
+    let status =
+        Command::new(this).args(["subject", "--nocapture"]).env("POVISTA_STABILITY_POVRAY", RAYS).status();
+    assert!(status.is_ok_and(|status| status.success()));
 }

@@ -3,7 +3,7 @@
 use povista::math::DVec3;
 use povista::world::{Geometry, Range, Ray, RayKind};
 
-use crate::model::{Exact, Line, Meeting, Model, half_length, meet, sensitivity};
+use crate::model::{Exact, Line, Meeting, Subject, half_length};
 
 /// What to shoot at.
 pub(crate) struct Target<'a, M> {
@@ -13,6 +13,9 @@ pub(crate) struct Target<'a, M> {
     pub(crate) size: f64,
     pub(crate) place: DVec3,
 }
+
+/// More crossings than any subject has.
+const MOST: usize = 5000;
 
 /// How the answers were.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,7 +66,7 @@ impl Dice {
     }
 }
 
-impl<M: Model> Target<'_, M> {
+impl<M: Subject> Target<'_, M> {
     /// Ray `number`: from inside the shape to 10^5 sizes away, every third aimed at the silhouette, past
     /// it by 10^-3 to 10^-12 of the size.
     pub(crate) fn ray(&self, number: u64) -> Ray {
@@ -103,7 +106,7 @@ impl<M: Model> Target<'_, M> {
             // The same root may come out a few bits larger when asked for from another start.
             let slant = normal.dot(ray.direction).abs().max(f64::EPSILON.sqrt());
             range.min = hit.t + 4.0 * f64::EPSILON * (hit.t.abs() + self.size) / slant;
-            if found.len() > 200 {
+            if found.len() > MOST {
                 break;
             }
         }
@@ -114,7 +117,7 @@ impl<M: Model> Target<'_, M> {
         let ray = self.ray(number);
         let line = Line::new(&ray, self.place, self.model.reach());
         let found = self.found(&ray, &line);
-        let exact = meet(self.model, &line);
+        let exact = self.model.meet(&line);
         let mut score = Score { rays: 1, hits: exact.crossings.len() as u64, ..Score::default() };
         let same = found.len() == exact.crossings.len();
         if exact.close || !exact.doubtful.is_empty() || !same {
@@ -147,7 +150,7 @@ impl<M: Model> Target<'_, M> {
     pub(crate) fn judge_nearest(&self, number: u64, found: Option<f64>) -> Score {
         let ray = self.ray(number);
         let line = Line::new(&ray, self.place, self.model.reach());
-        let exact = meet(self.model, &line);
+        let exact = self.model.meet(&line);
         let nearest = exact.crossings.iter().find(|crossing| crossing.t.to_f64() + line.shift > 0.0);
         let mut score = Score { rays: 1, hits: u64::from(nearest.is_some()), ..Score::default() };
         let unclear = exact.close || !exact.doubtful.is_empty();
@@ -176,9 +179,9 @@ impl<M: Model> Target<'_, M> {
     fn errors(&self, line: &Line, t: f64, normal: DVec3, crossing: &Exact) -> (f64, f64) {
         let t_exact = crate::double::Double::of(line.shift) + crossing.t;
         let error = (crate::double::Double::of(t) - t_exact).abs().to_f64();
-        let moved = sensitivity(self.model, line, crossing);
+        let moved = self.model.sensitivity(line, crossing);
         let gradient = DVec3::from_array(moved.slope);
-        let slope = gradient.dot(DVec3::from_array(line.direction)).abs();
+        let slope = gradient.dot(line.direction()).abs();
         let unit = f64::EPSILON * (moved.by / slope + t.abs());
         // Sine and cosine, since the cosine alone loses half the digits.
         let (sine, cosine) = (gradient.cross(normal).length(), gradient.dot(normal).abs());
@@ -191,7 +194,7 @@ impl<M: Model> Target<'_, M> {
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let aside = axes.into_iter().chain((0..4).map(|_| dice.cube().normalize()));
         aside.flat_map(|to| [to, -to]).any(|to| {
-            let moved = meet(self.model, &line.moved(to * line.room));
+            let moved = self.model.meet(&line.moved(to * line.room));
             !moved.doubtful.is_empty() || moved.crossings.len() != exact.crossings.len()
         })
     }

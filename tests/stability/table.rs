@@ -21,6 +21,9 @@ fn path() -> PathBuf {
 }
 
 fn row(name: &str, place: &str, score: &Score) -> String {
+    if score.rays == 0 {
+        return format!("{name:<23} {place:<7} refused");
+    }
     let mut row = String::new();
     let share = 100.0 * score.undecidable as f64 / score.rays as f64;
     write!(

@@ -64,8 +64,8 @@ fn disc() {
 }
 
 /// Triangles: each piece one.
-struct Triangles {
-    corners: Vec<[[f64; 3]; 3]>,
+pub(super) struct Triangles {
+    pub(super) corners: Vec<[[f64; 3]; 3]>,
 }
 
 fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -107,11 +107,11 @@ impl Model for Triangles {
     }
 }
 
-fn vector(p: [f64; 3]) -> String {
+pub(super) fn vector(p: [f64; 3]) -> String {
     format!("<{:e},{:e},{:e}>", p[0], p[1], p[2])
 }
 
-fn scaled<const N: usize>(points: [[f64; 3]; N], size: f64) -> [[f64; 3]; N] {
+pub(super) fn scaled<const N: usize>(points: [[f64; 3]; N], size: f64) -> [[f64; 3]; N] {
     points.map(|p| p.map(|x| x * size))
 }
 

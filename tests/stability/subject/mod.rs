@@ -2,7 +2,12 @@
 
 mod csg;
 mod flat;
+mod function;
+mod grid;
 mod polynomial;
 mod round;
 mod soft;
+mod spline;
+mod sweep;
+mod text;
 mod turned;

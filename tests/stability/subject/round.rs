@@ -53,6 +53,17 @@ fn r#box() {
     });
 }
 
+#[test]
+fn box_turned_a_thousand_times() {
+    shoot_at("box.turned", |size| {
+        let half = [0.9, 0.5, 0.7].map(|x| x * size);
+        let [x, y, z] = half;
+        let turn = "#declare Turned = object { Turned matrix <0,1,0, 0,0,1, 1,0,0, 0,0,0> } ".repeat(999);
+        let made = format!("box {{ <{:e},{:e},{:e}>, <{x:e},{y:e},{z:e}> }}", -x, -y, -z);
+        (format!("#declare Turned = {made} {turn} object {{ Turned }}"), Box { half })
+    });
+}
+
 /// Along y from -height to height, closed by two discs; radii at both ends.
 struct Cone {
     height: f64,
