@@ -21,7 +21,11 @@ use crate::world::shape::Shape as _;
 use crate::world::{Leaf, Member, RayKind};
 
 /// Compounds nested deeper than this, after flattening, are refused: rays recurse into them.
-const MOST_NESTED: u32 = 200;
+const MOST_NESTED: u32 = 1200;
+
+/// Stack that must be left for one more level, and how much more there is when it isn't.
+const RED_ZONE: usize = 64 << 10;
+const MORE: usize = 1 << 20;
 
 /// Big primitives that several objects share, by the identity of their description, which is kept so that
 /// its address stays its own.
@@ -77,7 +81,7 @@ impl Flattener<'_> {
             return None;
         }
         let own = self.own(object, around);
-        self.placed(object, &own)
+        stacker::maybe_grow(RED_ZONE, MORE, || self.placed(object, &own))
     }
 
     /// Adds an object of which it is known what it has.

@@ -9,6 +9,7 @@
 
 mod curves;
 mod steps;
+mod turbulence;
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -166,7 +166,7 @@ impl Octaves {
         sum
     }
 
-    fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         (self.count as usize).clamp(1, MOST_OCTAVES)
     }
 

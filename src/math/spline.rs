@@ -96,6 +96,66 @@ impl Spline {
         self.keys.partition_point(|key| *key < p).clamp(1, self.keys.len() - 1) - 1
     }
 
+    /// Which piece a key belongs to: 0 is what is before all of them, and the last one what is behind.
+    pub(super) fn place(&self, key: f64) -> usize {
+        let [first, last] = self.ends();
+        let inner = self.keys[first..=last].partition_point(|start| *start < key);
+        if last == first || inner > last - first { last - first + 1 } else { inner }
+    }
+
+    /// Where a piece begins and ends.
+    pub(super) fn keys_of(&self, place: usize) -> [f64; 2] {
+        let [first, last] = self.ends();
+        let low = place.checked_sub(1).map_or(f64::NEG_INFINITY, |before| self.keys[first + before]);
+        let high = self.keys[first..=last].get(place).copied().unwrap_or(f64::INFINITY);
+        [low, high]
+    }
+
+    /// The keys between which the value isn't constant.
+    fn ends(&self) -> [usize; 2] {
+        let last = self.keys.len() - 1;
+        match self.kind {
+            SplineKind::Cubic if last > 1 => [1, last - 1],
+            SplineKind::Cubic => [0, 0],
+            _ => [0, last],
+        }
+    }
+
+    /// One component of a piece: a key, and the coefficients of the powers of what is beyond it.
+    pub(super) fn piece(&self, place: usize, c: usize) -> (f64, [f64; 4]) {
+        let [first, last] = self.ends();
+        let constant = place == 0 || place > last - first;
+        if constant {
+            let far = if place == 0 { f64::NEG_INFINITY } else { f64::INFINITY };
+            return (0.0, [self.at(far)[c], 0.0, 0.0, 0.0]);
+        }
+        let i = first + place - 1;
+        if let Some(Parabola { origin, a, b, c: constant }) = self.parabolas.get(i.saturating_sub(1)) {
+            return (*origin, [constant[c], b[c], a[c], 0.0]);
+        }
+        let (start, h) = (self.keys[i], self.keys[i + 1] - self.keys[i]);
+        let (v0, v1) = (self.values[i][c], self.values[i + 1][c]);
+        let rise = (v1 - v0) / h;
+        let coefficients = match self.kind {
+            SplineKind::Natural => {
+                let (m0, m1) = (self.bends[i][c], self.bends[i + 1][c]);
+                [v0, rise - h * (m1 + 2.0 * m0) / 6.0, m0 / 2.0, (m1 - m0) / (6.0 * h)]
+            }
+            SplineKind::Cubic => {
+                let slope = |k: usize| {
+                    let rise = |a: usize, b: usize| {
+                        (self.values[b][c] - self.values[a][c]) / (self.keys[b] - self.keys[a])
+                    };
+                    0.5 * (rise(k - 1, k) + rise(k, k + 1))
+                };
+                let (s0, s1) = (slope(i), slope(i + 1));
+                [v0, s0, (3.0 * rise - 2.0 * s0 - s1) / h, (s0 + s1 - 2.0 * rise) / (h * h)]
+            }
+            SplineKind::Linear | SplineKind::Quadratic => [v0, rise, 0.0, 0.0],
+        };
+        (start, coefficients)
+    }
+
     fn natural(&self, i: usize, p: f64) -> Value {
         let (d, h) = (p - self.keys[i], self.keys[i + 1] - self.keys[i]);
         let [(v0, m0), (v1, m1)] = [i, i + 1].map(|k| (&self.values[k], &self.bends[k]));

@@ -50,7 +50,9 @@ impl Function {
         let known = match &body {
             Body::Tape(tape) => tape.is_known(),
             Body::Internal(_) | Body::Transform(_) => true,
-            Body::Pattern(_) | Body::Pigment(_) | Body::Spline(_) => false,
+            Body::Pattern(pattern) => pattern.is_known(),
+            Body::Spline(_) => true,
+            Body::Pigment(_) => false,
         };
         Self { parameters, depth, body, known }
     }
@@ -141,7 +143,9 @@ impl Function {
                 let [x, y, z] = axes.map(|v| v - origin);
                 at(0) * x + at(1) * y + at(2) * z + origin
             }
-            _ => Band::UNKNOWN,
+            Body::Pattern(pattern) => pattern.enclose(&[at(0), at(1), at(2)]),
+            Body::Spline(spline) => spline.along(at(0), component.into()),
+            Body::Transform(_) | Body::Pigment(_) => Band::UNKNOWN,
         }
     }
 

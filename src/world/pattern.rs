@@ -1,6 +1,7 @@
 //! Patterns: a point becomes a number (docs/spec/patterns-textures.md 2).
 
 pub mod agate;
+mod along;
 pub mod brick;
 pub mod cells;
 pub mod crackle;
@@ -29,7 +30,7 @@ use super::image::ImageMap;
 use super::sample::{Field, Inside, Sample};
 use super::warp::Warps;
 use crate::math::noise::{EPSILON, cycle, triangle};
-use crate::math::{DVec3, tally};
+use crate::math::{Band, DVec3, tally};
 use crate::world::warp::mapping::cube_face;
 
 /// A pattern with its way in and its finishing step.
@@ -158,6 +159,14 @@ impl Pattern {
 impl Field for Pattern {
     fn value(&self, sample: &Sample) -> f64 {
         self.value_at(self.warps.point(sample.point), sample)
+    }
+
+    fn enclose(&self, point: &[Band; 3]) -> Band {
+        self.along(point)
+    }
+
+    fn is_known(&self) -> bool {
+        self.is_held()
     }
 }
 

@@ -48,6 +48,11 @@ impl Warps {
         self.steps.is_empty()
     }
 
+    /// The steps in the order a point goes through them.
+    pub(super) fn steps(&self) -> &[Warp] {
+        &self.steps
+    }
+
     /// Where the pattern sees `p`.
     pub fn point(&self, mut p: DVec3) -> DVec3 {
         for step in &self.steps {

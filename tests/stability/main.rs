@@ -54,7 +54,9 @@ fn world(object: &str) -> World {
     let mut sink = Collect::default();
     let scene = interpret(main, &mut sources, &LanguageOptions::default(), &mut sink);
     let scene = scene.unwrap_or_else(|| panic!("{object:.400}: {:?}", sink.diagnostics));
-    compile(scene, &RenderOptions::new(8, 6)).world
+    let compiled = compile(scene, &RenderOptions::new(8, 6));
+    assert!(compiled.unsupported.is_empty(), "{object:.400}: {:?}", compiled.unsupported);
+    compiled.world
 }
 
 /// Shoots at one object in one place, on all processors.
@@ -86,7 +88,10 @@ fn score<M: Subject>(model: &M, object: &str, size: f64, place: DVec3) -> Score 
         }
     };
     std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        // As much as the threads of the renderer have.
+        let spawn = |_| std::thread::Builder::new().stack_size(64 << 20).spawn_scoped(scope, work);
+        let workers: Vec<_> =
+            (0..threads).map(spawn).map(|worker| worker.expect("there are threads")).collect();
         workers.into_iter().fold(Score::default(), |mut all, worker| {
             all.add(&worker.join().expect("the worker has not panicked"));
             all

@@ -3,7 +3,7 @@
 
 use super::polynomial::{Roots, bracketed};
 
-/// Intervals are halved at most this often to part neighbouring roots.
+/// Intervals are divided at most this often to part neighbouring roots.
 const HALVINGS: u32 = 10;
 
 /// The roots in `[low, high]` of a polynomial with the `L` coefficients `c`. `None` where rounding or
@@ -86,16 +86,29 @@ fn isolate<const L: usize, const N: usize>(
     if halvings == 0 {
         return false;
     }
-    // De Casteljau's halving.
+    // Between two roots, if there are two, else anywhere: in the middle.
+    let share = if changes == 2 { far_side(b) } else { 0.5 };
+    // De Casteljau's division.
     let (mut left, mut right) = ([0.0; L], *b);
     for (i, first) in left.iter_mut().enumerate() {
         *first = right[0];
         for j in 0..L - 1 - i {
-            right[j] = 0.5 * (right[j] + right[j + 1]);
+            right[j] = (1.0 - share) * right[j] + share * right[j + 1];
         }
     }
-    let half = Stretch { share: 0.5 * place.share, ..place };
-    let second = Stretch { from: half.from + half.share, ..half };
-    isolate(c, &left, half, noise, halvings - 1, roots)
+    let first = Stretch { share: share * place.share, ..place };
+    let second = Stretch { from: first.from + first.share, share: place.share - first.share, ..place };
+    isolate(c, &left, first, noise, halvings - 1, roots)
         && isolate(c, &right, second, noise, halvings - 1, roots)
+}
+
+/// The share of the way at which the coefficients are farthest beyond zero, seen from the first one.
+fn far_side<const L: usize>(b: &[f64; L]) -> f64 {
+    let mut farthest = 1;
+    for i in 2..L - 1 {
+        if b[i] * b[0] < b[farthest] * b[0] {
+            farthest = i;
+        }
+    }
+    farthest as f64 / (L - 1) as f64
 }

@@ -148,12 +148,24 @@ fn stretch_roots<const N: usize>(c: &[f64], low: f64, high: f64, ends: &Roots<N>
 
 #[inline(always)]
 pub(super) fn value(c: &[f64], x: f64) -> f64 {
-    c.iter().rev().fold(0.0, |sum, c| sum * x + c)
+    // Loops are unrolled where the length is known, closures are not.
+    let (mut sum, mut i) = (0.0, c.len());
+    while i > 0 {
+        i -= 1;
+        sum = sum * x + c[i];
+    }
+    sum
 }
 
 #[inline(always)]
 fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
-    c.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * x + c, slope * x + value))
+    let (mut value, mut slope, mut i) = (0.0, 0.0, c.len());
+    while i > 0 {
+        i -= 1;
+        slope = slope * x + value;
+        value = value * x + c[i];
+    }
+    (value, slope)
 }
 
 /// The value, or zero where its sign is lost in the rounding of coefficients and evaluation.

@@ -435,8 +435,7 @@ impl Number for Band {
     }
 
     fn noise(generator: u8, point: [Self; 3]) -> Self {
-        let raw = Self::noise_of(generator, point);
-        raw.max(Self::constant(0.0)).min(Self::constant(1.0))
+        Self::noise(generator, point)
     }
 }
 

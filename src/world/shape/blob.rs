@@ -108,6 +108,20 @@ struct Span {
 }
 
 impl Span {
+    /// The least and the greatest that the field is between two distances within the span.
+    #[inline(always)]
+    fn between(&self, from: f64, to: f64) -> [f64; 2] {
+        let [c, b, a] = self.square;
+        let rest = |t: f64| (1.0 - (c + t * (2.0 * b + t * a))).max(0.0);
+        let (one, other) = (rest(from), rest(to));
+        // The distance is least where a t is -b.
+        let most =
+            if a * from < -b && -b < a * to { (1.0 - (c - b * b / a)).max(0.0) } else { one.max(other) };
+        let least = one.min(other);
+        let fields = [self.strength * least * least, self.strength * most * most];
+        if self.strength < 0.0 { [fields[1], fields[0]] } else { fields }
+    }
+
     /// Adds the field as a polynomial in the distance from `start`.
     fn add(&self, start: f64, quartic: &mut [f64; 5]) {
         let [c, b, a] = self.square;
@@ -118,6 +132,12 @@ impl Span {
         }
     }
 }
+
+/// How far beyond its ends a range is searched, as a share of the way to the blob's middle.
+const BESIDE: f64 = 1e-6;
+
+/// By how much of the threshold bounds of a sum must keep off it, far more than sums are rounded by.
+const SURE: f64 = 1e-9;
 
 /// How near two events may be to count as one, in units of the stretch of the ray that is in any field.
 const ONE_EVENT: f64 = 1e-13;
@@ -159,38 +179,65 @@ impl Blob {
         });
     }
 
-    /// Calls back with the distance of every crossing on the line, ascending, until it returns `false`.
-    fn walk(&self, ray: &Ray, mut found: impl FnMut(f64) -> bool) {
+    /// Calls back with the distance of every crossing within the range or close to it, ascending, until it
+    /// returns `false`.
+    fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
         let center = if self.bounds.is_finite() { self.bounds.center() } else { DVec3::ZERO };
         let (shift, ray) = ray.moved_to(center);
+        let room = BESIDE * shift.abs();
+        let range = Range { min: range.min - shift - room, max: range.max - shift + room };
+        // All along the line, so that a crossing is the same to the last bit whatever the range.
         let mut spans = SmallVec::<[Span; 16]>::new();
         self.bvh.along(&ray, Range::LINE, |part| {
-            spans.extend(self.parts[part as usize].meet(&ray));
+            if let Some(span) = self.parts[part as usize].meet(&ray) {
+                spans.push(span);
+            }
             f64::INFINITY
         });
-        let mut events: SmallVec<[f64; 32]> =
-            spans.iter().flat_map(|span| [span.enter, span.leave]).collect();
+        let mut events = SmallVec::<[f64; 32]>::new();
+        for span in &spans {
+            events.extend_from_slice(&[span.enter, span.leave]);
+        }
         events.sort_unstable_by(f64::total_cmp);
         events.dedup();
         // The sum at the end of one gap is that at the start of the next.
-        let mut value = -self.threshold;
+        let mut value = None;
+        let mut active = SmallVec::<[usize; 16]>::new();
         for gap in events.windows(2) {
             let (start, length) = (gap[0], gap[1] - gap[0]);
             let middle = start + 0.5 * length;
             // Where a tube ends and its half-ball begins: the two planes are one but for rounding.
-            if length <= ONE_EVENT * (events[events.len() - 1] - events[0]) {
+            if length <= ONE_EVENT * (events[events.len() - 1] - events[0]) || gap[1] <= range.min {
+                continue;
+            }
+            if start >= range.max {
+                return;
+            }
+            active.clear();
+            let (mut least, mut most) = (0.0, 0.0);
+            for (number, span) in spans.iter().enumerate() {
+                if span.enter < middle && middle < span.leave {
+                    active.push(number);
+                    let [low, high] = span.between(gap[0], gap[1]);
+                    (least, most) = (least + low, most + high);
+                }
+            }
+            let sure = SURE * self.threshold.abs();
+            if most < self.threshold - sure || least > self.threshold + sure {
+                value = None;
                 continue;
             }
             let mut quartic = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
-            for span in spans.iter().filter(|span| span.enter < middle && middle < span.leave) {
-                span.add(start, &mut quartic);
+            for number in &active {
+                spans[*number].add(start, &mut quartic);
             }
-            let at = |t: f64| quartic.iter().rev().fold(0.0, |sum, c| sum * t + c);
+            let [a, b, c, d, e] = quartic;
+            let at = |t: f64| a + t * (b + t * (c + t * (d + t * e)));
             let seeds = roots_between::<5>(&quartic, 0.0, length);
             let seeds = seeds.as_slice();
-            let middles = seeds.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-            let mut from = (0.0, value);
-            for (i, t) in middles.chain([length]).enumerate() {
+            let mut from = (0.0, value.unwrap_or(a));
+            for i in 0..seeds.len().max(1) {
+                let t = seeds.get(i + 1).map_or(length, |next| 0.5 * (seeds[i] + next));
                 let to = (t, at(t));
                 if (from.1 > 0.0) != (to.1 > 0.0) {
                     // Only where gaps meet can there be a change without a root.
@@ -201,7 +248,7 @@ impl Blob {
                 }
                 from = to;
             }
-            value = from.1;
+            value = Some(from.1);
         }
     }
 }
@@ -212,7 +259,7 @@ impl Shape for Blob {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        self.walk(ray, |t| {
+        self.walk(ray, range, |t| {
             if range.contains(t) {
                 out.push(Crossing::new(t, 0));
             }
@@ -222,7 +269,7 @@ impl Shape for Blob {
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let mut nearest = None;
-        self.walk(ray, |t| {
+        self.walk(ray, range, |t| {
             nearest = range.contains(t).then(|| Crossing::new(t, 0));
             nearest.is_none() && t < range.max
         });

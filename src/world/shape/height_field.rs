@@ -1,5 +1,7 @@
 //! `height_field` (docs/spec/primitives.md 5.4).
 
+use smallvec::SmallVec;
+
 use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape};
 use crate::math::wide::widest;
@@ -28,10 +30,16 @@ pub struct HeightField {
 }
 
 /// Cells along each side of a block.
-const BLOCK: usize = 2;
+const BLOCK: usize = 8;
 
-/// Triangles of a block.
-const MOST: usize = 2 * BLOCK * BLOCK;
+/// Triangles that are tested at once.
+const MOST: usize = 16;
+
+/// Cells that a ray is over in a block, if it isn't a very slanted one.
+const FEW: usize = 2 * BLOCK;
+
+/// How far beside its cells a ray is looked for, in cells, and as a share of its distances.
+const BESIDE: [f64; 2] = [1e-9, 1e-12];
 
 /// Samples that make a height of 1.
 const FULL: f64 = 65536.0;
@@ -81,6 +89,34 @@ impl HeightField {
         Bounds::of(corners.map(|(x, z)| self.corner(x, z)))
     }
 
+    /// Adds the cells of a block that a ray is over, or nearly.
+    #[inline(always)]
+    fn cells_along(&self, ray: &Ray, block: u32, cells: &mut SmallVec<[(usize, usize); FEW]>) {
+        let [xs, zs] = self.cells(block as usize);
+        let scale = self.size.map(|samples| (samples - 1) as f64);
+        let (x, z) = (ray.origin.x * scale[0], ray.origin.z * scale[1]);
+        let (along_x, along_z) = (ray.direction.x * scale[0], ray.direction.z * scale[1]);
+        let slope = if along_x == 0.0 { 0.0 } else { along_x / along_z };
+        let [room, share] = BESIDE;
+        for row in zs {
+            let (near, far) = (row as f64 - z, row as f64 + 1.0 - z);
+            if along_z == 0.0 && (near > room || far < -room) {
+                continue;
+            }
+            // Where it comes into the row and leaves it.
+            let ends = [near, far].map(|side| side * slope);
+            let room = room + share * (x.abs() + (z.abs() + row as f64) * slope.abs());
+            let low = (x + ends[0].min(ends[1]) - room).floor();
+            let high = (x + ends[0].max(ends[1]) + room).floor();
+            // What is no number may be anywhere.
+            let from = if low > xs.start as f64 { low.min(xs.end as f64) as usize } else { xs.start };
+            let to = if high < xs.end as f64 { (high + 1.0).max(0.0) as usize } else { xs.end };
+            for column in from..to {
+                cells.push((column, row));
+            }
+        }
+    }
+
     /// The corners of a part, in the order of a crossing's weights.
     fn triangle(&self, part: u32) -> [DVec3; 3] {
         let (cell, far) = (part as usize / 2, part % 2 == 1);
@@ -101,36 +137,32 @@ impl HeightField {
                     range,
                     #[inline(always)]
                     |block| {
-                        let [xs, zs] = self.cells(block as usize);
-                        let mut grid = [[DVec3::ZERO; BLOCK + 1]; BLOCK + 1];
-                        for (row, z) in grid.iter_mut().zip(zs.start..=zs.end) {
-                            for (corner, x) in row.iter_mut().zip(xs.start..=xs.end) {
-                                *corner = self.corner(x, z);
-                            }
-                        }
-                        // Two triangles of each cell, as in `triangle`.
-                        let mut parts = [0; MOST];
-                        let mut triangles = [[DVec3::ZERO; 3]; MOST];
-                        let mut count = 0;
-                        for (row, z) in zs.enumerate() {
-                            for (column, x) in xs.clone().enumerate() {
-                                let (right, far) = (grid[row][column + 1], grid[row + 1][column]);
+                        let mut cells = SmallVec::new();
+                        self.cells_along(ray, block, &mut cells);
+                        for cells in cells.chunks(MOST / 2) {
+                            // Two triangles of each cell, as in `triangle`.
+                            let mut parts = [0; MOST];
+                            let mut triangles = [[DVec3::ZERO; 3]; MOST];
+                            for (place, &(x, z)) in cells.iter().enumerate() {
+                                let (right, far) = (self.corner(x + 1, z), self.corner(x, z + 1));
                                 let cell = (z * self.size[0] + x) as u32;
-                                parts[count..count + 2].copy_from_slice(&[2 * cell, 2 * cell + 1]);
-                                triangles[count] = [grid[row][column], right, far];
-                                triangles[count + 1] = [grid[row + 1][column + 1], right, far];
-                                count += 2;
+                                parts[2 * place] = 2 * cell;
+                                parts[2 * place + 1] = 2 * cell + 1;
+                                triangles[2 * place] = [self.corner(x, z), right, far];
+                                triangles[2 * place + 1] = [self.corner(x + 1, z + 1), right, far];
                             }
-                        }
-                        let mut candidates = sheared.may_meet::<MOST>(triangles[..count].iter().copied());
-                        while candidates != 0 {
-                            let place = candidates.trailing_zeros() as usize % MOST;
-                            candidates &= candidates - 1;
-                            let corners = triangles[place];
-                            let Some(hit) = sheared.meet(corners) else { continue };
-                            // The triangle's own height: the ray's would fray what lies level with the water.
-                            if range.min < hit.t && hit.t < max && blend(corners, hit.at).y >= self.water {
-                                max = found(parts[place], hit).unwrap_or(max);
+                            let count = 2 * cells.len();
+                            let mut candidates = sheared.may_meet::<MOST>(triangles[..count].iter().copied());
+                            while candidates != 0 {
+                                let place = candidates.trailing_zeros() as usize % MOST;
+                                candidates &= candidates - 1;
+                                let corners = triangles[place];
+                                let Some(hit) = sheared.meet(corners) else { continue };
+                                // The triangle's own height: the ray's would fray what lies level with the water.
+                                if range.min < hit.t && hit.t < max && blend(corners, hit.at).y >= self.water
+                                {
+                                    max = found(parts[place], hit).unwrap_or(max);
+                                }
                             }
                         }
                         max

@@ -100,7 +100,8 @@ impl Container {
     }
 }
 
-/// POV-Ray starts this many times the accuracy behind a surface to look for the next.
+/// POV-Ray starts this many times the accuracy behind a surface to look for the next; so do we where bands
+/// don't tell how soon the function is off zero.
 const AWAY: f64 = 5.0;
 
 impl Isosurface {
@@ -157,8 +158,10 @@ impl Isosurface {
             }
         } else if value.abs() < 4.0 * self.max_gradient * self.accuracy {
             // The ray starts on the surface, or as good as: which side it is on shows a little farther.
-            from = away.min(end);
-            inside = search.value(from) < 0.0;
+            (from, inside) = search.departure(0.0, away.min(end)).unwrap_or_else(|| {
+                let from = away.min(end);
+                (from, search.value(from) < 0.0)
+            });
         }
         while left > 0 {
             let sign = if inside { -1.0 } else { 1.0 };
@@ -170,7 +173,11 @@ impl Isosurface {
             if !push(root, after - root, 0) {
                 return;
             }
-            from = after + away;
+            let departure = search.departure(root, (after + away).min(end) - root);
+            from = match departure {
+                Some((from, below)) if below == inside => from,
+                _ => after + away,
+            };
             if from >= end {
                 break;
             }
@@ -438,6 +445,17 @@ mod tests {
             let found = thin.nearest(&ray, Range::AHEAD).map(|crossing| ray.at(crossing.t).length());
             assert!(found.is_some_and(|length| (length - 1.00001).abs() < 1e-14), "{n}: {found:?}");
         }
+    }
+
+    #[test]
+    fn both_sides_of_what_is_thinner_than_the_accuracy_are_found() {
+        let function = Arc::new(Shell(1e-5));
+        let thin = Isosurface { function, accuracy: 0.01, most: 10, ..ball(cube(2.0)) };
+        let mut all = Vec::new();
+        thin.crossings(&Ray::new(DVec3::new(0.3, 0.13, -5.0), DVec3::Z), Range::AHEAD, &mut all);
+        assert_eq!(all.len(), 4);
+        let inner = thin.nearest(&Ray::new(DVec3::new(0.0, 0.0, 1.00001), DVec3::NEG_Z), Range::AHEAD);
+        assert!(inner.is_some_and(|crossing| (crossing.t - 2e-5).abs() < 1e-15));
     }
 
     #[test]

@@ -1,16 +1,18 @@
 //! `parametric` (docs/spec/primitives.md 4.6).
 
+mod piece;
+
 use std::sync::Arc;
 
 use super::r#box::Cuboid;
 use super::isosurface::Container;
 use super::stretch::Stretch;
-use super::triangle::{Sheared, blend};
 use super::{Crossing, Shape};
-use crate::math::{Band, Bounds, DMat3, DVec2, DVec3, Lanes};
+use crate::math::{Band, Bounds, DVec2, DVec3, Lanes};
 use crate::world::accel::Bvh;
 use crate::world::sample::{Field, Sample};
 use crate::world::{Range, Ray};
+use piece::Piece;
 
 /// The points that three functions give for a rectangle of parameters u and v, within a container.
 ///
@@ -49,11 +51,8 @@ const TILES: usize = 128;
 /// The share of a tile that is small enough to look for a crossing by Newton's method.
 const FINE: f64 = 1.0 / 16.0;
 
-/// Steps of Newton's method before it is given up.
-const TRIES: usize = 12;
-
-/// By how much of its size a crossing may be beside the piece it was looked for in.
-const BESIDE: f64 = 1e-6;
+/// Crossings nearer to each other, as a share of all parameters, are one.
+const SAME: f64 = 1e-10;
 
 /// The step of slopes for Newton's method, as a share of all parameters.
 const STEP: f64 = 1e-6;
@@ -198,59 +197,11 @@ impl Parametric {
         })
     }
 
-    /// Where a ray meets the surface near `at` and `t`; `None` where Newton's method leads nowhere.
-    fn refine(&self, ray: &Ray, mut at: DVec2, mut t: f64, size: DVec2) -> Option<(DVec2, f64)> {
-        let (start, reach) = (at, 8.0 * size);
-        let mut last = f64::INFINITY;
-        for _ in 0..TRIES {
-            let [along_u, along_v] = self.slopes(at);
-            let matrix = DMat3::from_cols(along_u, along_v, -ray.direction);
-            let step = matrix.inverse() * (ray.at(t) - self.point(at));
-            if !step.is_finite() {
-                return None;
-            }
-            (at, t) = (at + step.truncate(), t + step.z);
-            let length = (step.truncate() / size).length();
-            // Rounding alone moves it any more.
-            if length < BESIDE && length >= 0.5 * last || length == 0.0 {
-                return Some((at, t));
-            }
-            if (at - start).abs().cmpgt(reach).any() {
-                return None;
-            }
-            last = length;
-        }
-        (last < BESIDE).then_some((at, t))
-    }
-
-    /// The crossing of a ray with a small piece that it surely passes close to.
-    fn meet(&self, ray: &Ray, sheared: &Sheared, tile: &Tile, near: f64) -> Option<Crossing> {
-        let size = tile.to - tile.from;
-        if let Some((at, t)) = self.refine(ray, 0.5 * (tile.from + tile.to), near, size) {
-            let room = BESIDE * size;
-            let within = at.cmpge(tile.from - room).all() && at.cmple(tile.to + room).all();
-            let at = at.clamp(self.description.from, self.description.to).to_array();
-            return within.then_some(Crossing { t, part: 0, at });
-        }
-        // Kinks, and pieces that shrink to a point.
-        let [[near, near_v], [near_u, far]] = tile.corners;
-        let (along_u, along_v) = (size * DVec2::X, size * DVec2::Y);
-        let triangles = [
-            ([near, near_u, near_v], [tile.from, tile.from + along_u, tile.from + along_v]),
-            ([far, near_v, near_u], [tile.to, tile.to - along_u, tile.to - along_v]),
-        ];
-        triangles.into_iter().find_map(|(corners, parameters)| {
-            let hit = sheared.meet(corners)?;
-            Some(Crossing { t: hit.t, part: 0, at: blend(parameters, hit.at).to_array() })
-        })
-    }
-
     /// Calls back with every crossing; the answer is a new upper end.
     fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> f64) {
         let Some(stretch) = self.description.container.stretch(ray).filter(|s| s.enter.t.is_finite()) else {
             return;
         };
-        let sheared = Sheared::new(ray);
         let speed = ray.direction.length();
         let finest = FINE * (self.description.to - self.description.from) / TILES as f64;
         let fine = finest.max_element().max(self.description.accuracy.min(finest.max_element() / FINE));
@@ -272,12 +223,12 @@ impl Parametric {
                     waiting.extend([high, low]);
                     continue;
                 }
-                let hit = self.meet(ray, &sheared, &tile, 0.5 * (enter.t + leave.t));
-                let seen =
-                    |t: f64| range.contains(t) && t < max && stretch.enter.t <= t && t <= stretch.leave.t;
-                if let Some(crossing) = hit.filter(|crossing| seen(crossing.t)) {
-                    max = found(crossing);
-                }
+                Piece::new(self, ray).meet(tile.from, tile.to, tile.corners, &mut |crossing| {
+                    let t = crossing.t;
+                    if range.contains(t) && t < max && stretch.enter.t <= t && t <= stretch.leave.t {
+                        max = found(crossing);
+                    }
+                });
             }
             max
         });
@@ -301,7 +252,7 @@ impl Shape for Parametric {
         });
         out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
         // Neighbouring pieces both have a crossing on their common side.
-        let room = BESIDE * (self.description.to - self.description.from).max_element();
+        let room = SAME * (self.description.to - self.description.from).max_element();
         let mut kept = from;
         for next in from..out.len() {
             let crossing = out[next];

@@ -1,10 +1,10 @@
 //! `text` (docs/spec/primitives.md 6.5).
 
-use super::r#box::Cuboid;
 use super::curve::Curve;
 use super::prism::Prism;
 use super::{Crossing, Shape};
 use crate::math::{Bounds, DVec2, DVec3};
+use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
 /// Glyphs in a row: [`Prism`]s, so that writing is in the plane of x and z and depth along y.
@@ -13,6 +13,7 @@ use crate::world::{Range, Ray};
 #[derive(Clone, Debug)]
 pub struct Text {
     glyphs: Vec<Glyph>,
+    bvh: Bvh,
     bounds: Bounds,
     extent: Bounds,
 }
@@ -21,13 +22,8 @@ pub struct Text {
 struct Glyph {
     /// The number of its first part among the text's.
     first: u32,
-    /// A little more than the prism.
-    around: Cuboid,
     prism: Prism,
 }
-
-/// How much more, as a share of the box's farthest coordinate: many times what rounding takes.
-const ROOM: f64 = 1e-13;
 
 impl Text {
     /// Of outlines, from y = 0 to `depth`, and the box that POV-Ray reports; `None` without outlines.
@@ -35,18 +31,18 @@ impl Text {
         let mut first = 0;
         let mut bounds = Bounds::EMPTY;
         let mut glyphs = Vec::with_capacity(outlines.len());
+        let mut boxes = Vec::with_capacity(outlines.len());
         for outline in outlines {
             let heights = [depth.min(0.0), depth.max(0.0)];
             let prism = Prism { outline, heights, conic: false, open: false };
             let own = prism.bounds();
             bounds = bounds.union(own);
-            let room = DVec3::splat(ROOM * own.min.abs().max(own.max.abs()).max_element());
-            let around = Cuboid { min: own.min - room, max: own.max + room };
+            boxes.push((own, glyphs.len() as u32));
             let parts = prism.parts();
-            glyphs.push(Glyph { first, around, prism });
+            glyphs.push(Glyph { first, prism });
             first += parts;
         }
-        (!glyphs.is_empty()).then_some(Self { glyphs, bounds, extent })
+        (!glyphs.is_empty()).then(|| Self { glyphs, bvh: Bvh::new(boxes), bounds, extent })
     }
 
     /// The glyph that has a crossing, and the crossing as the glyph's prism numbers it.
@@ -68,18 +64,32 @@ impl Shape for Text {
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
         let from = out.len();
-        for glyph in &self.glyphs {
-            let met = glyph.around.stretch(ray);
-            if met.is_none_or(|met| met.leave.t <= range.min || met.enter.t >= range.max) {
-                continue;
-            }
+        self.bvh.along(ray, range, |number| {
+            let glyph = &self.glyphs[number as usize];
             let start = out.len();
             glyph.prism.crossings(ray, range, out);
             for crossing in &mut out[start..] {
                 crossing.part += glyph.first;
             }
-        }
+            range.max
+        });
         out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let mut nearest: Option<Crossing> = None;
+        let mut all = Vec::new();
+        self.bvh.along(ray, range, |number| {
+            let glyph = &self.glyphs[number as usize];
+            let max = nearest.map_or(range.max, |nearest| nearest.t);
+            all.clear();
+            glyph.prism.crossings(ray, Range { min: range.min, max }, &mut all);
+            if let Some(first) = all.first() {
+                nearest = Some(Crossing { part: first.part + glyph.first, ..*first });
+            }
+            nearest.map_or(max, |nearest| nearest.t)
+        });
+        nearest
     }
 
     /// With both faces, other than a prism.

@@ -86,6 +86,17 @@ impl Nest {
         self.balls.iter().enumerate().map(declared).chain(["object { Nest }".to_owned()]).collect()
     }
 
+    /// How deep a point is in a ball; doubles say whether it is in there at all, mostly.
+    fn rough_depth(&self, number: usize, p: &[Double; 3], rough: [f64; 3]) -> Double {
+        let (center, radius) = self.balls[number];
+        let off = (0..3).map(|i| (rough[i] - center[i]).powi(2));
+        let depth = radius * radius - off.sum::<f64>();
+        if depth.abs() > 1e-10 * self.size * self.size {
+            return Double::of(depth);
+        }
+        self.depth(number, p)
+    }
+
     /// How deep a point is in a ball.
     fn depth(&self, number: usize, p: &[Double; 3]) -> Double {
         let (center, radius) = self.balls[number];
@@ -120,6 +131,7 @@ impl Subject for Nest {
             for root in [-under.sqrt(), under.sqrt()] {
                 let t = (root - b) / a;
                 let p = beam.at(t);
+                let rough = p.map(Double::to_f64);
                 // Whether it is in what the balls before left, and in none of those after.
                 let mut inside = false;
                 let mut seen = true;
@@ -128,7 +140,7 @@ impl Subject for Nest {
                         seen = inside != Self::adds(number);
                         continue;
                     }
-                    let depth = self.depth(other, &p);
+                    let depth = self.rough_depth(other, &p, rough);
                     out.close |= depth.to_f64().abs() < close;
                     if depth > zero {
                         inside = Self::adds(other);

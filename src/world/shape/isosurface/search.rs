@@ -62,6 +62,9 @@ const COARSE: f64 = 1.0 / 60.0;
 /// doesn't say it.
 const STEEPER: f64 = 1.1;
 
+/// Shares of the way that is passed over behind a surface, for the shortest that is enough to be off it.
+const SHARES: [f64; Lanes::COUNT] = [1.0, 1.0 / 16.0, 1.0 / 256.0, 1.0 / 4096.0];
+
 /// Steps of the secant method before the search for the last digits is given up.
 const STEPS: usize = 6;
 
@@ -82,6 +85,43 @@ impl Search<'_> {
             self.first_by_gradient(from, to, sign)
         }?;
         Some((root, self.cell_end(from, to, root)))
+    }
+
+    /// The first place behind `at`, on or beside the surface, and at most `most` behind, from which the function
+    /// is off zero for a while, and whether it is below; `None` where bands don't say.
+    pub(super) fn departure(&self, at: f64, most: f64) -> Option<(f64, bool)> {
+        if !self.surface.function.is_known() {
+            return None;
+        }
+        let halves = Lanes(SHARES) * (0.5 * most);
+        let band = self.enclose(halves + at, halves);
+        let mut first: Option<(f64, bool)> = None;
+        for i in 0..Lanes::COUNT {
+            let (c, k, e) = (band.middle.0[i], band.slope.0[i], band.reach.0[i]);
+            let reach = loosened(e, c, k);
+            let found = if c.abs() > k.abs() + reach {
+                (at, c < 0.0)
+            } else {
+                let share = (reach - c * k.signum()) / k.abs();
+                // What is no number is not less either.
+                if share.is_nan() || share >= 1.0 {
+                    continue;
+                }
+                (at + halves.0[i] * (1.0 + share.max(-1.0)), k < 0.0)
+            };
+            first = Some(first.filter(|first| first.0 <= found.0).unwrap_or(found));
+        }
+        first
+    }
+
+    /// The function over stretches of the ray, each with its middle and half its length.
+    #[inline(always)]
+    fn enclose(&self, middles: Lanes, halves: Lanes) -> Band {
+        let along =
+            |origin: f64, direction: f64| Band::line(middles * direction + origin, halves * direction);
+        let (o, d) = (self.origin, self.direction);
+        let band = self.surface.function.enclose(&[along(o.x, d.x), along(o.y, d.y), along(o.z, d.z)]);
+        band - Band::constant(self.surface.threshold)
     }
 
     /// Where the stretch ends that holds `root` when the ray is halved until the halves are short enough.
@@ -127,12 +167,7 @@ impl Search<'_> {
     fn divide(&self, zone: Zone, sign: f64, waiting: &mut SmallVec<[Zone; 32]>) -> bool {
         let half = 0.125 * (zone.to - zone.from);
         let middles = Lanes([1.0, 3.0, 5.0, 7.0]) * half + zone.from;
-        let along = |origin: f64, direction: f64| {
-            Band::line(middles * direction + origin, Lanes::splat(half * direction))
-        };
-        let (o, d) = (self.origin, self.direction);
-        let band = self.surface.function.enclose(&[along(o.x, d.x), along(o.y, d.y), along(o.z, d.z)]);
-        let band = (band - Band::constant(self.surface.threshold)) * sign;
+        let band = self.enclose(middles, Lanes::splat(half)) * sign;
         let (low, high) = (band.low().0, band.high().0);
         let below = waiting.len();
         for i in 0..Lanes::COUNT {
@@ -156,8 +191,8 @@ impl Search<'_> {
             }
             // The mean value theorem: somewhere it is as steep as a straight line between both ends.
             self.meet_gradient((k.abs() - e) / half);
-            // Where the line is no farther from zero than the reach, with room for rounding.
-            let reach = e * (1.0 + 1e-9) + 1e-12 * (c.abs() + k.abs());
+            // Where the line is no farther from zero than the reach.
+            let reach = loosened(e, c, k);
             let [a, b] = [(c - reach) / k.abs(), (c + reach) / k.abs()].map(|s| s.clamp(-1.0, 1.0));
             let zone = if k < 0.0 {
                 let (from, to) = ((middle + half * a).max(from), (middle + half * b).min(to));
@@ -262,6 +297,12 @@ impl Zone {
         }
         None
     }
+}
+
+/// The reach of a band around `c + k s`, with room for rounding.
+#[inline(always)]
+fn loosened(reach: f64, c: f64, k: f64) -> f64 {
+    reach * (1.0 + 1e-9) + 1e-12 * (c.abs() + k.abs())
 }
 
 /// The root between two places with values of either sign, to the last digits.

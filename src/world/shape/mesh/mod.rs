@@ -14,8 +14,11 @@ use crate::world::{Range, Ray};
 #[derive(Clone, Debug)]
 pub struct Mesh {
     lists: Lists,
-    /// In the order of the hierarchy.
-    faces: Vec<Face>,
+    /// Corners of the faces, in the order of the hierarchy.
+    faces: Box<[[u32; 3]]>,
+    normals: Column,
+    uvs: Column,
+    textures: Column,
     bounds: Bounds,
     bvh: Bvh,
     inside: Option<DVec3>,
@@ -45,6 +48,32 @@ pub struct Face {
     pub textures: Option<[u32; 3]>,
 }
 
+/// What faces have besides corners, in the same order.
+#[derive(Clone, Debug)]
+enum Column {
+    /// No face has it.
+    Nothing,
+    /// All have it, with the numbers of their corners.
+    AsCorners,
+    /// [`NONE`] for those without.
+    Own(Box<[[u32; 3]]>),
+}
+
+/// The indices of a face that has none.
+const NONE: [u32; 3] = [u32::MAX; 3];
+
+impl Column {
+    fn new(faces: &[Face], order: &[u32], of: impl Fn(&Face) -> Option<[u32; 3]>) -> Self {
+        if faces.iter().all(|face| of(face).is_none()) {
+            Self::Nothing
+        } else if faces.iter().all(|face| of(face) == Some(face.vertices)) {
+            Self::AsCorners
+        } else {
+            Self::Own(order.iter().map(|i| of(&faces[*i as usize]).unwrap_or(NONE)).collect())
+        }
+    }
+}
+
 /// The width of a seam between corners meant to be the same, relative to the mesh.
 const SEAM: f64 = 1e-13;
 
@@ -70,16 +99,19 @@ impl Mesh {
         }
         lists.normals.iter_mut().for_each(|normal| *normal = normal.normalize_or(DVec3::X));
         faces.retain(|face| {
-            let normal = face_normal(corners(&lists, face));
+            let normal = face_normal(corners(&lists, face.vertices));
             normal != DVec3::ZERO && normal.is_finite()
         });
         let boxes: Vec<_> =
-            (0..).zip(&faces).map(|(i, face)| (Bounds::of(corners(&lists, face)), i)).collect();
+            (0..).zip(&faces).map(|(i, face)| (Bounds::of(corners(&lists, face.vertices)), i)).collect();
         let bounds = boxes.iter().fold(Bounds::EMPTY, |all, (b, _)| all.union(*b));
         let (bvh, order) = Bvh::with_runs(boxes, RUN);
-        let faces = order.into_iter().map(|i| faces[i as usize]).collect();
+        let normals = Column::new(&faces, &order, |face| face.normals);
+        let uvs = Column::new(&faces, &order, |face| face.uvs);
+        let textures = Column::new(&faces, &order, |face| face.textures);
+        let faces = order.into_iter().map(|i| faces[i as usize].vertices).collect();
         let inside = inside.filter(|direction| *direction != DVec3::ZERO);
-        Some(Self { bvh, lists, faces, bounds, inside })
+        Some(Self { bvh, lists, faces, normals, uvs, textures, bounds, inside })
     }
 
     /// Calls back with every face that the ray meets in `range`, roughly the nearest first; the
@@ -134,14 +166,23 @@ impl Mesh {
 
     #[inline(always)]
     fn corners(&self, part: u32) -> [DVec3; 3] {
-        corners(&self.lists, &self.faces[part as usize])
+        corners(&self.lists, self.faces[part as usize])
+    }
+
+    /// What a column says of a face.
+    #[inline]
+    fn indices(&self, column: &Column, part: u32) -> Option<[u32; 3]> {
+        match column {
+            Column::Nothing => None,
+            Column::AsCorners => Some(self.faces[part as usize]),
+            Column::Own(indices) => Some(indices[part as usize]).filter(|indices| *indices != NONE),
+        }
     }
 }
 
 #[inline(always)]
-fn corners(lists: &Lists, face: &Face) -> [DVec3; 3] {
+fn corners(lists: &Lists, [a, b, c]: [u32; 3]) -> [DVec3; 3] {
     let corner = |i: u32| lists.vertices[i as usize];
-    let [a, b, c] = face.vertices;
     [corner(a), corner(b), corner(c)]
 }
 
@@ -206,7 +247,7 @@ impl Shape for Mesh {
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
-        match self.faces[crossing.part as usize].normals {
+        match self.indices(&self.normals, crossing.part) {
             Some(indices) => blend(indices.map(|i| self.lists.normals[i as usize]), crossing.at),
             None => self.geometric_normal(point, crossing),
         }
@@ -219,7 +260,7 @@ impl Shape for Mesh {
     /// On the side of the interpolated one, where there is one.
     fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
         let normal = face_normal(self.corners(crossing.part));
-        let Some(indices) = self.faces[crossing.part as usize].normals else {
+        let Some(indices) = self.indices(&self.normals, crossing.part) else {
             return normal;
         };
         let smooth = blend(indices.map(|i| self.lists.normals[i as usize]), crossing.at);
@@ -227,13 +268,13 @@ impl Shape for Mesh {
     }
 
     fn uv(&self, _point: DVec3, crossing: &Crossing) -> Option<DVec2> {
-        let uvs = self.faces[crossing.part as usize].uvs;
+        let uvs = self.indices(&self.uvs, crossing.part);
         Some(uvs.map_or(DVec2::ZERO, |uv| blend(uv.map(|i| self.lists.uvs[i as usize]), crossing.at)))
     }
 
     fn textures(&self, _point: DVec3, crossing: &Crossing, found: &mut dyn FnMut(u32, f64)) {
         let [v, w] = crossing.at;
-        match self.faces[crossing.part as usize].textures {
+        match self.indices(&self.textures, crossing.part) {
             None => {}
             Some([a, b, c]) if a == b && b == c => found(a, 1.0),
             Some(textures) => {
