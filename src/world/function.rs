@@ -52,7 +52,7 @@ impl Function {
             Body::Internal(_) | Body::Transform(_) => true,
             Body::Pattern(pattern) => pattern.is_known(),
             Body::Spline(_) => true,
-            Body::Pigment(_) => false,
+            Body::Pigment(pigment) => pigment.is_known(),
         };
         Self { parameters, depth, body, known }
     }
@@ -145,7 +145,8 @@ impl Function {
             }
             Body::Pattern(pattern) => pattern.enclose(&[at(0), at(1), at(2)]),
             Body::Spline(spline) => spline.along(at(0), component.into()),
-            Body::Transform(_) | Body::Pigment(_) => Band::UNKNOWN,
+            Body::Pigment(pigment) => pigment.enclose(&[at(0), at(1), at(2)], component),
+            Body::Transform(_) => Band::UNKNOWN,
         }
     }
 

@@ -116,6 +116,17 @@ pub trait Field: Send + Sync + std::fmt::Debug {
 pub trait Colors: Send + Sync + std::fmt::Debug {
     /// The colour at `sample`, white and clear where there is none.
     fn color(&self, sample: &Sample) -> Rgbft;
+
+    /// What holds a component (0 … 4: red, green, blue, filter, transmit) of the colours of all points whose
+    /// coordinates these hold.
+    fn enclose(&self, _point: &[Band; 3], _component: u8) -> Band {
+        Band::UNKNOWN
+    }
+
+    /// Whether [`Colors::enclose`] knows the colours, as [`Field::is_known`].
+    fn is_known(&self) -> bool {
+        false
+    }
 }
 
 /// Has an inside: objects as patterns see them.

@@ -1,6 +1,7 @@
 //! Textures: layers of pigment, normal and finish, and what selects or blends them
 //! (docs/spec/patterns-textures.md 3, 4 and 7).
 
+mod along;
 pub mod blend_map;
 pub mod finish;
 pub mod normal;

@@ -57,6 +57,40 @@ impl Band {
         })
     }
 
+    /// The height of a broken line through `points` of rising x, which is level beyond its ends; where two have the
+    /// same x it steps.
+    pub fn broken_line(self, points: &[(f64, f64)]) -> Self {
+        self.lanewise(|s| {
+            let (low, high) = s.range();
+            if low.is_nan() || points.is_empty() {
+                return Strip::UNKNOWN;
+            }
+            let between =
+                |x: f64, after: usize| match (after.checked_sub(1).map(|i| points[i]), points.get(after)) {
+                    (Some(a), Some(b)) => a.1 + (x - a.0) * ((b.1 - a.1) / (b.0 - a.0)),
+                    (Some(a), None) => a.1,
+                    (None, Some(b)) => b.1,
+                    (None, None) => 0.0,
+                };
+            let first = points.partition_point(|point| point.0 < low);
+            let last = points.partition_point(|point| point.0 <= high);
+            if first == last {
+                let (Some(a), Some(b)) = (first.checked_sub(1).map(|i| points[i]), points.get(first)) else {
+                    return Strip::between(between(low, first), between(low, first));
+                };
+                let slope = (b.1 - a.1) / (b.0 - a.0);
+                let rise = (s.middle - a.0) * slope;
+                let size = a.1.abs() + rise.abs() + (s.slope * slope).abs();
+                let reach = s.reach * slope.abs() + 2.0 * super::ROUNDING * size;
+                return Strip { middle: a.1 + rise, slope: s.slope * slope, reach };
+            }
+            let ends = [between(low, first), between(high, last)];
+            let all = points[first..last].iter().map(|point| point.1).chain(ends);
+            let (least, most) = all.fold((f64::MAX, f64::MIN), |(a, b), y| (a.min(y), b.max(y)));
+            Strip::between(least, most)
+        })
+    }
+
     fn shifted(strip: Strip, by: f64, room: f64) -> Strip {
         Strip { middle: strip.middle + by, reach: strip.reach + room, ..strip }
     }

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use super::along;
 use super::blend_map::{BlendMap, Pick};
 use crate::math::color::grey;
-use crate::math::{Rgb, Rgbft};
+use crate::math::{Band, Rgb, Rgbft};
 use crate::world::image::ImageMap;
 use crate::world::pattern::Pattern;
 use crate::world::sample::{Colors, Field, Sample};
@@ -104,11 +105,27 @@ impl Colors for Pigment {
     fn color(&self, sample: &Sample) -> Rgbft {
         or_clear(self.color(sample))
     }
+
+    fn enclose(&self, point: &[Band; 3], component: u8) -> Band {
+        self.along(point, |color| along::component(color, component))
+    }
+
+    fn is_known(&self) -> bool {
+        self.is_held()
+    }
 }
 
 /// A pigment seen as grey: `pigment_pattern`.
 impl Field for Pigment {
     fn value(&self, sample: &Sample) -> f64 {
         f64::from(grey(or_clear(self.color(sample)).rgb))
+    }
+
+    fn enclose(&self, point: &[Band; 3]) -> Band {
+        self.along(point, along::greyness)
+    }
+
+    fn is_known(&self) -> bool {
+        self.is_held()
     }
 }
