@@ -59,7 +59,8 @@ mod tests {
     fn bands_of_pigments_hold_their_colours() {
         let entries = [(0.1, 0.3), (0.3, 0.9), (0.3, 0.2), (0.6, 0.25), (0.8, 1.0)];
         let colors = entries.map(|(at, c)| (at, Rgbft::new([c, 1.0 - c, 0.5 * c, 0.0, 0.0])));
-        let pigment = Pigment::Colors(Pattern::plain(Formula::Bozo(2)), BlendMap::new(colors).unwrap());
+        let pigment =
+            Pigment::Colors(Box::new(Pattern::plain(Formula::Bozo(2))), BlendMap::new(colors).unwrap());
         assert!(Colors::is_known(&pigment) && Field::is_known(&pigment));
         let mut narrow = 0;
         for n in 0..400 {

@@ -134,10 +134,9 @@ fn parametric(name: &str, sheet: Sheet, functions: [&str; 3]) {
         let list = functions.map(|f| format!("function {{ {size:e} * ({f}) }}")).join(", ");
         let object = format!(
             "parametric {{ {list} <-1,-1>, <1,1> contained_by {{ box {{ {:e}, {:e} }} }}
-             accuracy {:e} max_gradient {:e} }}",
+             accuracy 1e-6 max_gradient {:e} }}",
             -1.5 * size,
             1.5 * size,
-            1e-6 * size,
             4.0 * size
         );
         (object, Parametric { sheet, size })
