@@ -17,7 +17,7 @@ use super::state;
 use super::stop;
 use crate::compile::{self, Compiled, Reason, Unsupported};
 use crate::diag::{Diagnostic, Severity, Sink};
-use crate::math::Gamma;
+use crate::math::{Gamma, pages};
 use crate::render::{self, Progress, Statistics};
 use crate::source::{Sources, Span};
 use crate::world::World;
@@ -55,16 +55,32 @@ pub struct Summary {
     pub width: u32,
     /// Height in pixels.
     pub height: u32,
-    /// Time to read the scene.
-    pub parse: Duration,
-    /// Time to compile it.
-    pub compile: Duration,
-    /// Time to render it.
-    pub render: Duration,
-    /// Time to encode and write the picture.
-    pub write: Duration,
+    /// Reading the scene.
+    pub parse: Stage,
+    /// Compiling it.
+    pub compile: Stage,
+    /// Rendering it.
+    pub render: Stage,
+    /// Encoding and writing the picture.
+    pub write: Stage,
     /// What the renderer did.
     pub statistics: Statistics,
+}
+
+/// What a part of the work took.
+#[derive(Debug, Clone, Copy)]
+pub struct Stage {
+    /// Time by the clock.
+    pub time: Duration,
+    /// Bytes of memory the program held at its end.
+    pub memory: u64,
+}
+
+impl Stage {
+    /// Ends what began at `start`.
+    fn ended(start: Instant) -> Self {
+        Self { time: start.elapsed(), memory: pages::used() }
+    }
 }
 
 /// Why no more frames are rendered.
@@ -189,7 +205,7 @@ fn picture(
     let start = Instant::now();
     let language = job.language_at(frame.clock);
     let (scene, sources) = read::scene(job, &language, report)?;
-    let parse = start.elapsed();
+    let parse = Stage::ended(start);
 
     let start = Instant::now();
     let Compiled { mut world, unsupported, spans } = compile::compile(scene, &job.render);
@@ -198,7 +214,7 @@ fn picture(
     if job.language.version.is_some_and(|version| version >= 370) {
         world.settings.working_gamma.get_or_insert(Gamma::LINEAR);
     }
-    let compile = start.elapsed();
+    let compile = Stage::ended(start);
 
     // Better to know now that the picture can't be stored than after an hour.
     let opened = place.as_ref().map(|place| place.open(&job.permissions)).transpose()?;
@@ -210,11 +226,11 @@ fn picture(
         _ => None,
     };
     prepare_stop(job, report, values, state.as_ref().map(|state| state.path().to_owned()));
-    report.rendering(job, parse, compile);
+    report.rendering(job, parse.time, compile.time);
     let start = Instant::now();
     let watch = Resume::new(report.progress(), state.as_ref());
     let rendered = render::render(&world, &job.render, &watch);
-    let render = start.elapsed();
+    let render = Stage::ended(start);
     for (span, remark) in remarks(&world, &spans) {
         report.diagnostic(remarked(remark, span), &sources);
     }
@@ -237,7 +253,7 @@ fn picture(
         parse,
         compile,
         render,
-        write: start.elapsed(),
+        write: Stage::ended(start),
         statistics: rendered.statistics,
     });
     Ok(())

@@ -3,18 +3,12 @@
 use super::{Result, Vm};
 use crate::math::pages;
 use crate::source::Span;
-use memory_stats::memory_stats;
 
 /// How much may be added before it is looked at how much there is.
 const UNNOTICED: usize = 16 << 20;
 
 /// Bytes that are made in the time of a step.
 const BYTES_A_STEP: u64 = 64;
-
-/// The memory the program uses at present, in bytes; 0 where the system does not tell.
-pub(super) fn used() -> u64 {
-    memory_stats().map_or(0, |stats| stats.physical_mem as u64)
-}
 
 impl Vm<'_> {
     /// Makes sure that so many bytes more are allowed.
@@ -33,7 +27,7 @@ impl Vm<'_> {
     /// The same, whenever it is time to look.
     pub(super) fn check_memory(&mut self, bytes: usize, span: Span) -> Result<()> {
         self.added = 0;
-        let used = used().saturating_sub(self.memory_before);
+        let used = pages::used().saturating_sub(self.memory_before);
         if used >= pages::MANY as u64 {
             pages::huge();
         }

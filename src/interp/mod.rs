@@ -75,6 +75,7 @@ pub use word::Word;
 
 use crate::diag::{self, Diagnostic, Severity, Sink};
 use crate::math::gamma::Gamma;
+use crate::math::pages;
 use crate::options::{Declared, LanguageOptions};
 use crate::scene::Scene;
 use crate::source::{FileId, Sources, Span};
@@ -245,7 +246,7 @@ impl<'a> Vm<'a> {
             nesting: 0,
             effort: effort::Effort::default(),
             added: 0,
-            memory_before: memory::used(),
+            memory_before: pages::used(),
             objects: 0,
             experimental: Vec::new(),
             version_written: options.version.is_some(),

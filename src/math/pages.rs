@@ -1,8 +1,13 @@
-//! How the system hands memory out: a small scene asks for pages that are soon cleared, a large one for
+//! How the system hands memory out, and how much: a small scene asks for pages that are soon cleared, a large one for
 //! huge ones, of which few are needed.
 
 /// From so many bytes on huge pages pay: the system clears each as a whole, however little of it is used.
 pub const MANY: usize = 64 << 20;
+
+/// The memory the program uses at present, in bytes; 0 where the system does not tell.
+pub fn used() -> u64 {
+    memory_stats::memory_stats().map_or(0, |stats| stats.physical_mem as u64)
+}
 
 /// Has memory handed out in small pages from now on, where the system lets a program choose.
 pub fn small() {

@@ -33,6 +33,10 @@ macro_rules! tallies {
 }
 
 tallies! {
+    /// Boxes held against rays.
+    boxes,
+    /// Primitives asked where rays meet them, triangles of meshes among them.
+    primitives,
     /// Values of noise.
     noise,
     /// Values of vector noise.

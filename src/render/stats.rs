@@ -64,6 +64,10 @@ counters! {
     media_samples: "samples of media",
     /// Sky lookups.
     sky_evaluations: "sky evaluations",
+    /// Boxes held against rays.
+    boxes: "boxes tested",
+    /// Primitives asked where rays meet them.
+    primitives: "primitives tested",
     /// Texture coordinates worked out.
     texture_coordinates: "texture coordinates",
     /// Values of patterns.
@@ -88,6 +92,8 @@ impl Statistics {
     /// Adds what the thread counted.
     pub(super) fn add(&mut self, tally: Tally) {
         let Tally {
+            boxes,
+            primitives,
             noise,
             vector_noise,
             patterns,
@@ -97,6 +103,8 @@ impl Statistics {
             image_lookups,
             random_numbers,
         } = tally;
+        self.boxes += boxes;
+        self.primitives += primitives;
         self.noise += noise;
         self.vector_noise += vector_noise;
         self.patterns += patterns;

@@ -274,12 +274,12 @@ impl Geometry {
                 return false;
             }
             if object.opaque && leaf.limits.is_none() {
-                return leaf.primitive.occludes(&leaf.inner(ray), range);
+                return leaf.primitive.occludes(&leaf.asked(ray), range);
             }
             // No other member has a say about where a lone solid begins and ends.
             if leaf.is_convex()
                 && !leaf.flags.contains(LeafFlags::OPAQUE)
-                && let Some(stretch) = leaf.primitive.convex(&leaf.inner(ray))
+                && let Some(stretch) = leaf.primitive.convex(&leaf.asked(ray))
             {
                 let hit = |crossing: Crossing| Hit { t: crossing.t, crossing, leaf: lone, object: number };
                 let ends = stretch.map_or([None; 2], |stretch| stretch.ends(range));

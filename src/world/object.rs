@@ -7,7 +7,7 @@ use bitflags::bitflags;
 use super::extent::Extent;
 use super::ray::Ray;
 use super::shape::{Primitive, Shape};
-use crate::math::{DVec3, Transform};
+use crate::math::{DVec3, Transform, tally};
 
 bitflags! {
     /// Kinds of rays; for an object, those that don't see it (docs/spec/shading.md 3).
@@ -86,6 +86,13 @@ impl Leaf {
     #[inline(always)]
     pub(super) fn inner(&self, ray: &Ray) -> Ray {
         self.transform.as_ref().map_or(*ray, |transform| ray.to_inner(transform))
+    }
+
+    /// The ray in the primitive's space, to ask where it meets the primitive.
+    #[inline(always)]
+    pub(super) fn asked(&self, ray: &Ray) -> Ray {
+        tally::primitives(1);
+        self.inner(ray)
     }
 
     /// Whether it is a solid that any line is inside of on one stretch, and nothing cuts it.

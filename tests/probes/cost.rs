@@ -122,6 +122,17 @@ fn what_is_evaluated_is_counted() {
 }
 
 #[test]
+fn what_is_not_near_a_ray_is_not_asked() {
+    let balls =
+        |count: usize| (0..count).map(|i| format!("sphere{{<{},50,9>,1}}", 3 * i)).collect::<String>();
+    // A few are held against each ray, of many whole groups at once.
+    let few = statistics(&format!("{} FLOOR", balls(5)));
+    assert_eq!((few.boxes, few.primitives), (192 * 5, 192));
+    let many = statistics(&format!("{} FLOOR", balls(500)));
+    assert!(many.boxes <= 192 * 8 && many.primitives == 192, "{many:?}");
+}
+
+#[test]
 fn turbulence_without_an_amount_is_not_evaluated() {
     for pattern in [
         "bozo turbulence 0",

@@ -13,7 +13,7 @@ use crate::cli::animation::{Animation, Frame};
 use crate::cli::failure::Failure;
 use crate::cli::job::Job;
 use crate::cli::output::Place;
-use crate::cli::run::{self, Report, Stopping, Summary};
+use crate::cli::run::{self, Report, Stage, Stopping, Summary};
 use crate::diag::{Diagnostic, Sink, Stream};
 use crate::render::Progress;
 use crate::source::Sources;
@@ -168,9 +168,15 @@ impl Report for Watch<'_> {
             ("render", summary.render),
             ("write", summary.write),
         ];
-        let times: Vec<String> =
-            stages.iter().map(|(name, time)| format!("{name} {}", seconds(*time))).collect();
-        text.push_str(&format!("  {}\n", times.join(" \u{b7} ")));
+        let mut each = |tell: &dyn Fn(&Stage) -> String| {
+            let parts: Vec<String> =
+                stages.iter().map(|(name, stage)| format!("{name} {}", tell(stage))).collect();
+            text.push_str(&format!("  {}\n", parts.join(" \u{b7} ")));
+        };
+        each(&|stage| seconds(stage.time));
+        if self.counts {
+            each(&|stage| format!("{:.1} MB", stage.memory as f64 / 1e6));
+        }
         let rows = summary.statistics.rows();
         if self.counts {
             for (name, count) in rows {

@@ -173,7 +173,7 @@ impl Report for Console<'_> {
         for (name, count) in summary.statistics.rows() {
             text.push_str(&format!("{name:<36}{count:>16}\n"));
         }
-        text.push_str(&format!("{RULE}Render Time:\n  Trace Time:     {}\n", hours(summary.render)));
+        text.push_str(&format!("{RULE}Render Time:\n  Trace Time:     {}\n", hours(summary.render.time)));
         self.write(Stream::Statistic, &text);
     }
 }

@@ -12,7 +12,7 @@ use super::Hull;
 use super::build::{self, Item};
 use super::linear::Slabs;
 use super::node::{NEAR, Node, Probe, SLACK, WIDTH};
-use crate::math::{Bounds, DVec3};
+use crate::math::{Bounds, DVec3, tally};
 use crate::world::ray::{Range, Ray};
 
 /// Marks a child that is a run of items.
@@ -151,6 +151,7 @@ impl Bvh {
                 far = way.end(end);
             } else {
                 let node = &self.nodes[next as usize];
+                tally::boxes(WIDTH);
                 let ([near, more_near], mut met) = way.probe.test(node, far);
                 if met != 0 {
                     let ([a, b, c, d], [e, f, g, h]) = (near.to_array(), more_near.to_array());

@@ -1,7 +1,7 @@
 //! Every box in turn: the fastest way for a handful, and the yardstick for the others.
 
 use super::Hull;
-use crate::math::{Bounds, DVec3};
+use crate::math::{Bounds, DVec3, tally};
 use crate::world::ray::{Range, Ray};
 
 /// A list of boxes.
@@ -80,6 +80,7 @@ impl Slabs {
     /// Where the line enters a box that the ray meets in `range` and where it leaves.
     #[inline(always)]
     pub fn overlap_in(&self, bounds: &Bounds, range: Range) -> Option<(f64, f64)> {
+        tally::boxes(1);
         let (entry, exit) = self.overlap(bounds);
         let near = if entry > range.min { entry } else { range.min };
         let far = if exit < range.max { exit } else { range.max };

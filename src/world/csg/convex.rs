@@ -109,7 +109,7 @@ impl Parts {
     fn found(&self, ray: &Ray, stretches: &Stretches, edge: Edge) -> Option<Found> {
         let number = stretches.leaves[edge.place % MOST];
         let leaf = self.leaf(number);
-        let stretch = leaf.primitive.convex(&leaf.inner(ray))??;
+        let stretch = leaf.primitive.convex(&leaf.asked(ray))??;
         let end = if edge.leaves { stretch.leave } else { stretch.enter };
         Some(Found { crossing: Crossing::from(end), leaf: number, near: 0 })
     }
@@ -150,7 +150,7 @@ impl Parts {
             let Member::Leaf(number) = member else { continue };
             let leaf = self.leaf(number);
             let inverted = leaf.flags.contains(LeafFlags::INVERTED);
-            let met = leaf.primitive.span(&leaf.inner(ray)).filter(|&[enter, leave]| {
+            let met = leaf.primitive.span(&leaf.asked(ray)).filter(|&[enter, leave]| {
                 !all.is_before(leave, range.min) && !all.is_before(range.max, enter)
             });
             match met {

@@ -100,7 +100,7 @@ impl Parts {
         let place = scratch.near.len() as u32;
         let mut inside = Inside::Point;
         if leaf.limits.is_none() || self.admits(Member::Leaf(number), way.ray) {
-            let ray = leaf.inner(way.ray);
+            let ray = leaf.asked(way.ray);
             let seen = !leaf.hidden.intersects(way.kind);
             let found = |crossing| Found { crossing, leaf: number, near: place };
             match leaf.primitive.convex(&ray) {

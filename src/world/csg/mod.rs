@@ -65,7 +65,7 @@ impl Parts {
                 return None;
             }
             if leaf.limits.is_none() {
-                let crossing = leaf.primitive.nearest(&leaf.inner(ray), range)?;
+                let crossing = leaf.primitive.nearest(&leaf.asked(ray), range)?;
                 return Some(Found { crossing, leaf: number, near: 0 });
             }
         }

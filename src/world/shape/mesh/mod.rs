@@ -3,7 +3,7 @@
 use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape};
 use crate::math::wide::widest;
-use crate::math::{Bounds, DVec2, DVec3};
+use crate::math::{Bounds, DVec2, DVec3, tally};
 use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
@@ -128,6 +128,7 @@ impl Mesh {
                     range,
                     #[inline(always)]
                     |run| {
+                        tally::primitives(run.len());
                         let faces = run.clone().map(
                             #[inline(always)]
                             |face| self.corners(face as u32),
