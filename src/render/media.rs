@@ -16,9 +16,9 @@ use crate::math::{Bounds, DVec3, Rgb};
 use crate::world::accel::{Hull, Points};
 use crate::world::atmosphere::Veil;
 use crate::world::media::{Method, Sampling};
-use crate::world::screen::Screen;
 use crate::world::{Light, Media, Range, Ray, World};
-use intervals::{Beam, Interval, intervals};
+pub(super) use intervals::{Beam, Between};
+use intervals::{Interval, intervals};
 use sample::Sample;
 
 /// When no more than this is left of the light from behind, what lies behind isn't looked at.
@@ -52,7 +52,8 @@ struct March<'s, 'w> {
     rule: &'w Sampling,
     /// The least `aa_threshold` of all.
     threshold: f32,
-    beams: SmallVec<[Beam; 4]>,
+    beams: Vec<Beam>,
+    between: Vec<Between>,
     /// Whether lamps make a difference.
     scatters: bool,
     /// What a unit does, where it is the same everywhere but for lamps.
@@ -72,12 +73,16 @@ impl Tracer<'_> {
         self.statistics.media_stretches += 1;
         let scatters = stretch.media.iter().any(|media| media.scattering != Rgb::ZERO);
         let glows = scatters || stretch.media.iter().any(|media| media.emission != Rgb::ZERO);
-        let march = March::new(stretch, scatters);
+        let mut march = March::new(stretch, scatters);
         if let (Some(uniform), false) = (march.uniform, glows) {
             return veil(Rgb::ZERO, transmittance(uniform.depth * stretch.length as f32));
         }
-        let beams = self.beams(stretch, march.rule, scatters);
-        let march = March { beams, ..march };
+        // The lists of the last march have room.
+        march.beams = std::mem::take(&mut self.beams);
+        march.beams.clear();
+        march.between = std::mem::take(&mut self.between);
+        march.between.clear();
+        self.look_for_lamps(&mut march);
         let (mut added, mut depth, mut left) = (Rgb::ZERO, Rgb::ZERO, Rgb::ONE);
         for interval in intervals(march.rule, &march.beams, stretch.length) {
             let seen = match march.uniform {
@@ -92,6 +97,8 @@ impl Tracer<'_> {
                 break;
             }
         }
+        self.beams = march.beams;
+        self.between = march.between;
         veil(added, left)
     }
 
@@ -132,24 +139,33 @@ impl Tracer<'_> {
     }
 
     /// The lamps that reach a stretch, and where (docs/spec/atmosphere-gi.md 2.5).
-    fn beams(&self, stretch: &Stretch, rule: &Sampling, scatters: bool) -> SmallVec<[Beam; 4]> {
-        let beam = |&number: &u32| {
+    fn look_for_lamps(&self, march: &mut March) {
+        let (stretch, geometry) = (march.stretch, &self.world.geometry);
+        for &number in stretch.lights {
             let light = &self.world.lights[number as usize];
-            let takes_part = light.media_interaction && !light.shadowless;
-            let reach = takes_part.then(|| light.reach(&stretch.ray, stretch.length))??;
-            let hull = if scatters { bundle(stretch, rule, light, reach) } else { None };
-            let geometry = &self.world.geometry;
+            if !light.media_interaction || light.shadowless {
+                continue;
+            }
+            let Some(reach) = light.reach(&stretch.ray, stretch.length) else { continue };
+            let hull = if march.scatters { bundle(stretch, march.rule, light, reach) } else { None };
             let among = hull.and_then(|hull| geometry.between(&hull)).map(|among| {
-                let lone = light.area.is_none() && !light.runs_parallel();
-                let shaded = |screen: Screen| match lone {
-                    true => shade::shade(&geometry.bounds(screen.object), &stretch.ray, light.location),
-                    false => Some(Range::LINE),
-                };
-                among.into_iter().filter_map(|screen| Some((screen, shaded(screen)?))).collect()
+                let first = march.between.len();
+                if light.area.is_some() || light.runs_parallel() {
+                    let anywhere = |screen| Between { screen, shade: Range::LINE, view: None };
+                    march.between.extend(among.into_iter().map(anywhere));
+                } else {
+                    march.between.extend(among.into_iter().filter_map(|screen| {
+                        let bounds = geometry.bounds(screen.object);
+                        let shade = shade::shade(&bounds, &stretch.ray, light.location)?;
+                        // What is behind a window that a lamp shines through doesn't matter.
+                        let view = light.projected_through.is_none().then(|| screen.from(light.location));
+                        Some(Between { screen, shade, view })
+                    }));
+                }
+                first..march.between.len()
             });
-            Some(Beam { light: number, reach, among })
-        };
-        stretch.lights.iter().filter_map(beam).collect()
+            march.beams.push(Beam { light: number, reach, among });
+        }
     }
 }
 
@@ -199,7 +215,16 @@ impl<'s, 'w> March<'s, 'w> {
             })
         });
         let scattered = stretch.media.iter().map(|media| media.density.uniform * media.scattering).sum();
-        Self { stretch, rule, threshold, beams: SmallVec::new(), scatters, uniform, scattered }
+        Self {
+            stretch,
+            rule,
+            threshold,
+            beams: Vec::new(),
+            between: Vec::new(),
+            scatters,
+            uniform,
+            scattered,
+        }
     }
 }
 

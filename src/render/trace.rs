@@ -1,6 +1,7 @@
 //! What a ray sees: surfaces one behind the other as far as it goes straight, then the sky
 //! (docs/spec/shading.md 4).
 
+use super::media::{Beam, Between};
 use super::quality::Quality;
 use super::random::Random;
 use super::refract::Inside;
@@ -61,6 +62,9 @@ pub(super) struct Tracer<'w> {
     pub(super) occluders: Vec<Hit>,
     /// What was in the way of the last shadow ray, and so probably is in that of the next.
     pub(super) blocker: Option<u32>,
+    /// The lamps of a march through media, and what stands before them.
+    pub(super) beams: Vec<Beam>,
+    pub(super) between: Vec<Between>,
     /// What may be in the way of the light at the sample of media at hand.
     pub(super) near: Vec<Screen>,
     /// What the places of the area light at hand show.
@@ -80,6 +84,8 @@ impl<'w> Tracer<'w> {
             mirrors: Vec::new(),
             occluders: Vec::new(),
             blocker: None,
+            beams: Vec::new(),
+            between: Vec::new(),
             near: Vec::new(),
             places: Places::default(),
         }

@@ -1,21 +1,33 @@
 //! How a stretch is cut into intervals: where lamps begin and end to light it, and as often as the
 //! media ask for (docs/spec/atmosphere-gi.md 2.5 and 2.6).
 
+use std::ops::Range as Span;
+
 use smallvec::SmallVec;
 
 use crate::world::Range;
 use crate::world::media::Sampling;
-use crate::world::screen::Screen;
+use crate::world::screen::{Screen, View};
 
 /// A lamp and the part of a stretch it may light.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Beam {
+#[derive(Clone, Debug)]
+pub(in crate::render) struct Beam {
     /// Its number.
     pub(super) light: u32,
     /// From … to, as distances.
     pub(super) reach: Range,
-    /// The objects that may stand between, and the distances where they may, where they are few.
-    pub(super) among: Option<SmallVec<[(Screen, Range); 4]>>,
+    /// The objects that may stand between, where they are few: their places in a march's list.
+    pub(super) among: Option<Span<usize>>,
+}
+
+/// An object that may stand between a stretch and a lamp.
+#[derive(Clone, Debug)]
+pub(in crate::render) struct Between {
+    pub(super) screen: Screen,
+    /// Between which distances it may.
+    pub(super) shade: Range,
+    /// How the lamp sees it, if all light comes from one place.
+    pub(super) view: Option<View>,
 }
 
 /// A part of a stretch that is sampled for itself.

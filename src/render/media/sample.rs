@@ -6,6 +6,7 @@ use super::March;
 use crate::math::{DVec3, Rgb};
 use crate::render::shadow::Target;
 use crate::render::trace::Tracer;
+use crate::world::screen::{OPEN, SHUT, UNKNOWN};
 use crate::world::{Intersection, Media};
 
 /// Light that media send to the eye, and the optical depth: per unit of length, or of an interval.
@@ -94,13 +95,28 @@ impl Tracer<'_> {
             let shares: f32 = stretch.media.iter().map(|media| media.phase.share(cosine)).sum();
             let share = shares / stretch.media.len() as f32;
             if share != 0.0 {
+                let Some(span) = beam.among.clone() else {
+                    let target = Target { surface: &surface, inside: stretch.inside, among: None };
+                    sum += share * self.unblocked(&target, light, &incident);
+                    continue;
+                };
+                let way = (point - light.location).to_array();
                 let mut near = std::mem::take(&mut self.near);
                 near.clear();
-                let between = beam.among.iter().flatten();
-                near.extend(between.filter(|(_, shade)| shade.contains(s)).map(|&(screen, _)| screen));
-                let among = beam.among.is_some().then_some(&near[..]);
-                let target = Target { surface: &surface, inside: stretch.inside, among };
-                sum += share * self.unblocked(&target, light, &incident);
+                let mut verdict = OPEN;
+                for between in march.between[span].iter().filter(|between| between.shade.contains(s)) {
+                    let found = between.view.map_or(UNKNOWN, |view| view.verdict(way));
+                    if found == UNKNOWN {
+                        near.push(between.screen);
+                    }
+                    verdict = verdict.max(found);
+                }
+                if verdict == SHUT && self.quality.shadows {
+                    self.statistics.shadow_rays += 1;
+                } else {
+                    let target = Target { surface: &surface, inside: stretch.inside, among: Some(&near) };
+                    sum += share * self.unblocked(&target, light, &incident);
+                }
                 self.near = near;
             }
         }
