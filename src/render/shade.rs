@@ -40,7 +40,7 @@ pub(super) struct At<'a> {
 impl At<'_> {
     /// What lamps shine on.
     pub(super) fn target(&self) -> Target<'_> {
-        Target { surface: self.surface, inside: &self.path.inside, among: None }
+        Target { surface: self.surface, inside: &self.path.inside, among: None, sifted: false }
     }
 }
 

@@ -25,6 +25,8 @@ pub(super) struct Target<'a> {
     pub(super) inside: &'a Inside,
     /// The only objects that may be in the way, where that is known.
     pub(super) among: Option<&'a [Screen]>,
+    /// Whether all of these are known to be near the way.
+    pub(super) sifted: bool,
 }
 
 impl Tracer<'_> {
@@ -66,7 +68,7 @@ impl Tracer<'_> {
         let geometry = &self.world.geometry;
         let mut occluders = std::mem::take(&mut self.occluders);
         self.blocker = match at.among {
-            Some(among) => geometry.occluders_among(among, &ray, range, &mut occluders),
+            Some(among) => geometry.occluders_among(among, at.sifted, &ray, range, &mut occluders),
             None => geometry.occluders(&ray, range, self.blocker, &mut occluders),
         };
         let color = if self.blocker.is_some() {

@@ -218,10 +218,11 @@ impl Geometry {
     }
 
     /// The same as [`occluders`](Self::occluders) where it is known that only objects of `among` may
-    /// be in the way.
+    /// be in the way; `sifted` if it is known that these are all near.
     pub fn occluders_among(
         &self,
         among: &[Screen],
+        sifted: bool,
         ray: &Ray,
         range: Range,
         through: &mut Vec<Hit>,
@@ -232,7 +233,7 @@ impl Geometry {
         }
         let way = (ray.direction * range.max).to_array();
         let blocker = among.iter().find(|screen| {
-            let verdict = screen.from(ray.origin).verdict(way);
+            let verdict = if sifted { UNKNOWN } else { screen.from(ray.origin).verdict(way) };
             if verdict != UNKNOWN {
                 return verdict == SHUT;
             }

@@ -115,6 +115,27 @@ impl View {
     }
 }
 
+/// The verdict on a way of several screens, each with how it is seen, if that is known; `near` is
+/// filled with those that only their surfaces can decide on.
+#[inline]
+pub fn sift<'a>(
+    screens: impl Iterator<Item = (&'a Screen, Option<&'a View>)>,
+    way: DVec3,
+    near: &mut Vec<Screen>,
+) -> Verdict {
+    let way = way.to_array();
+    near.clear();
+    let mut verdict = OPEN;
+    for (screen, view) in screens {
+        let found = view.map_or(UNKNOWN, |view| view.verdict(way));
+        if found == UNKNOWN {
+            near.push(*screen);
+        }
+        verdict = verdict.max(found);
+    }
+    verdict
+}
+
 /// The balls of a leaf that is all but round, or lies around a point.
 struct Balls {
     center: DVec3,

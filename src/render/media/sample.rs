@@ -6,7 +6,7 @@ use super::March;
 use crate::math::{DVec3, Rgb};
 use crate::render::shadow::Target;
 use crate::render::trace::Tracer;
-use crate::world::screen::{OPEN, SHUT, UNKNOWN};
+use crate::world::screen::{SHUT, sift};
 use crate::world::{Intersection, Media};
 
 /// Light that media send to the eye, and the optical depth: per unit of length, or of an interval.
@@ -96,25 +96,24 @@ impl Tracer<'_> {
             let share = shares / stretch.media.len() as f32;
             if share != 0.0 {
                 let Some(span) = beam.among.clone() else {
-                    let target = Target { surface: &surface, inside: stretch.inside, among: None };
+                    let target =
+                        Target { surface: &surface, inside: stretch.inside, among: None, sifted: false };
                     sum += share * self.unblocked(&target, light, &incident);
                     continue;
                 };
-                let way = (point - light.location).to_array();
                 let mut near = std::mem::take(&mut self.near);
-                near.clear();
-                let mut verdict = OPEN;
-                for between in march.between[span].iter().filter(|between| between.shade.contains(s)) {
-                    let found = between.view.map_or(UNKNOWN, |view| view.verdict(way));
-                    if found == UNKNOWN {
-                        near.push(between.screen);
-                    }
-                    verdict = verdict.max(found);
-                }
+                let between = march.between[span].iter().filter(|between| between.shade.contains(s));
+                let seen = between.map(|between| (&between.screen, between.view.as_ref()));
+                let verdict = sift(seen, point - light.location, &mut near);
                 if verdict == SHUT && self.quality.shadows {
                     self.statistics.shadow_rays += 1;
                 } else {
-                    let target = Target { surface: &surface, inside: stretch.inside, among: Some(&near) };
+                    let target = Target {
+                        surface: &surface,
+                        inside: stretch.inside,
+                        among: Some(&near),
+                        sifted: light.area.is_none() && !light.runs_parallel(),
+                    };
                     sum += share * self.unblocked(&target, light, &incident);
                 }
                 self.near = near;

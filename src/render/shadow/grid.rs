@@ -8,7 +8,7 @@ use crate::render::trace::Tracer;
 use crate::world::accel::{Hull, Points};
 use crate::world::hit::Nearby;
 use crate::world::light::{AreaLight, Incident};
-use crate::world::screen::{OPEN, SHUT, Screen, Verdict, View};
+use crate::world::screen::{OPEN, SHUT, Screen, Verdict, View, sift};
 use crate::world::{Intersection, Light};
 
 /// Difference between corners of an area light's grid above which the part between is refined.
@@ -29,6 +29,8 @@ pub(in crate::render) struct Places {
     verdicts: Vec<Verdict>,
     /// What may be in the way, as seen from where the rays start.
     views: Vec<View>,
+    /// What may be in the way to the place at hand.
+    near: Vec<Screen>,
 }
 
 /// A rectangle of an area light's grid, by the indices of its corners.
@@ -129,16 +131,21 @@ impl Tracer<'_> {
     /// The mean light from a part of an area light.
     fn part(&mut self, at: &Target, grid: &Grid, part: Part, level: u32) -> Rgb {
         let Part { u, v } = part;
-        let corners =
-            [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])].map(|place| self.place(at, grid, place));
+        // Loops: closures for arrays are not compiled together with what is around them.
+        let mut corners = [Rgb::ZERO; 4];
+        let places = [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])];
+        for (corner, place) in corners.iter_mut().zip(places) {
+            *corner = self.place(at, grid, place);
+        }
         let coarse = u[1] - u[0] > 1 || v[1] - v[0] > 1;
         let unlike = |a: usize, b: usize| (corners[a] - corners[b]).abs().element_sum() > UNEVEN;
         let uneven = || unlike(0, 1) || unlike(2, 3) || unlike(0, 2) || unlike(1, 3);
-        let [a, b, c, d] = if coarse && (level < grid.area.adaptive || uneven()) {
-            AreaLight::quarters(u, v).map(|[u, v]| self.part(at, grid, Part { u, v }, level + 1))
-        } else {
-            corners
-        };
+        if coarse && (level < grid.area.adaptive || uneven()) {
+            for (quarter, [u, v]) in corners.iter_mut().zip(AreaLight::quarters(u, v)) {
+                *quarter = self.part(at, grid, Part { u, v }, level + 1);
+            }
+        }
+        let [a, b, c, d] = corners;
         (a + b + c + d) / 4.0
     }
 
@@ -150,10 +157,18 @@ impl Tracer<'_> {
         }
         let offset = grid.area.offset(grid.axes, (u, v), self.grid_shift(grid.area));
         self.statistics.shadow_rays += 1;
-        let verdict = grid.middle.map(|middle| self.places.verdict(middle + offset));
-        let color = match verdict {
-            Some(OPEN) => grid.center.color,
-            Some(SHUT) => Rgb::ZERO,
+        let color = match (grid.middle, at.among) {
+            (Some(middle), Some(among)) => {
+                let mut near = std::mem::take(&mut self.places.near);
+                let seen = among.iter().zip(self.places.views.iter().map(Some));
+                let color = match sift(seen, middle + offset, &mut near) {
+                    OPEN => grid.center.color,
+                    SHUT => Rgb::ZERO,
+                    _ => self.towards(&Target { among: Some(&near), sifted: true, ..*at }, grid, offset),
+                };
+                self.places.near = near;
+                color
+            }
             _ => self.towards(at, grid, offset),
         };
         self.places.known[index] = Some(color);
@@ -180,13 +195,6 @@ fn origin(surface: &Intersection, light: &Light, area: &AreaLight, axes: [DVec3;
 }
 
 impl Places {
-    /// Whether anything is in the way of light that comes along `way`.
-    #[inline]
-    fn verdict(&self, way: DVec3) -> Verdict {
-        let way = way.to_array();
-        self.views.iter().fold(OPEN, |verdict, view| verdict.max(view.verdict(way)))
-    }
-
     /// Finds out which places `among` leaves open, as far as that is seen without the surfaces.
     fn look(&mut self, middle: DVec3, [a, b]: [DVec3; 2], among: &[Screen], origin: DVec3) {
         let Self { moved, ways, verdicts, .. } = self;
