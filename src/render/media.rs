@@ -187,6 +187,8 @@ fn bundle(stretch: &Stretch, rule: &Sampling, light: &Light, reach: Range) -> Op
             let radius = DVec3::splat(area.radius());
             points.extend(Bounds::new(light.location - radius, light.location + radius).corners());
         }
+        // All ways lead there.
+        None if !light.runs_parallel() => points.insert(0, light.location),
         None => points.extend(ends.map(|end| {
             let incident = light.reaching(end);
             end + incident.distance * incident.direction
