@@ -11,6 +11,7 @@ use crate::world::object::{LeafFlags, Member};
 use crate::world::parts::{Group, Operation, Parts};
 use crate::world::ray::{Range, Ray};
 use crate::world::shape::Crossing;
+use crate::world::shape::stretch::{Stretch, UNSAID};
 
 /// Compounds of more members are searched by boxes.
 pub(in crate::world) const MOST: usize = 8;
@@ -22,6 +23,8 @@ struct Unclear;
 struct Stretches {
     enter: [f64; MOST],
     leave: [f64; MOST],
+    /// The parts of both ends, where they are said.
+    parts: [[u32; 2]; MOST],
     /// The members' numbers among the leaves.
     leaves: [u32; MOST],
     /// Whether they are turned inside out.
@@ -107,7 +110,12 @@ impl Parts {
     /// The crossing at an edge.
     #[inline(always)]
     fn found(&self, ray: &Ray, stretches: &Stretches, edge: Edge) -> Option<Found> {
-        let number = stretches.leaves[edge.place % MOST];
+        let place = edge.place % MOST;
+        let number = stretches.leaves[place];
+        let part = stretches.parts[place][usize::from(edge.leaves)];
+        if part != UNSAID {
+            return Some(Found { crossing: Crossing::new(edge.t, part), leaf: number, near: 0 });
+        }
         let leaf = self.leaf(number);
         let stretch = leaf.primitive.convex(&leaf.asked(ray))??;
         let end = if edge.leaves { stretch.leave } else { stretch.enter };
@@ -150,14 +158,15 @@ impl Parts {
             let Member::Leaf(number) = member else { continue };
             let leaf = self.leaf(number);
             let inverted = leaf.flags.contains(LeafFlags::INVERTED);
-            let met = leaf.primitive.span(&leaf.asked(ray)).filter(|&[enter, leave]| {
-                !all.is_before(leave, range.min) && !all.is_before(range.max, enter)
+            let met = leaf.primitive.span(&leaf.asked(ray)).filter(|stretch| {
+                !all.is_before(stretch.leave.t, range.min) && !all.is_before(range.max, stretch.enter.t)
             });
             match met {
-                Some([enter, leave]) => {
+                Some(Stretch { enter, leave }) => {
                     let place = all.count % MOST;
-                    all.enter[place] = enter;
-                    all.leave[place] = leave;
+                    all.enter[place] = enter.t;
+                    all.leave[place] = leave.t;
+                    all.parts[place] = [enter.part, leave.part];
                     all.leaves[place] = number;
                     all.inverted[place] = inverted;
                     all.count = place + 1;
@@ -176,6 +185,7 @@ impl Stretches {
         Self {
             enter: [0.0; MOST],
             leave: [0.0; MOST],
+            parts: [[UNSAID; 2]; MOST],
             leaves: [0; MOST],
             inverted: [false; MOST],
             count: 0,

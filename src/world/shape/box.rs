@@ -1,6 +1,6 @@
 //! `box { corner, corner }` (docs/spec/primitives.md 3.2).
 
-use super::stretch::{End, Stretch};
+use super::stretch::{End, Stretch, UNSAID};
 use super::{Crossing, Shape};
 use crate::math::{Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
@@ -72,9 +72,9 @@ impl Cuboid {
 
     /// The distances between which a line is inside.
     #[inline]
-    pub(super) fn span(&self, ray: &Ray) -> Option<[f64; 2]> {
+    pub(super) fn span(&self, ray: &Ray) -> Option<Stretch> {
         let (enter, leave) = self.faces(ray)?.between();
-        (enter <= leave).then_some([enter, leave])
+        Stretch::new(enter, UNSAID, leave, UNSAID)
     }
 
     /// Where faces meet, the one that faces the ray most gives the part, as in POV-Ray.

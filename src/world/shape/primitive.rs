@@ -64,13 +64,13 @@ impl Primitive {
         }
     }
 
-    /// The distances between which a line is inside a shape of which [`Primitive::convex`] knows; ends that
-    /// lie on an edge may be less exact than there.
+    /// As [`Primitive::convex`], but that the parts of the ends may be [`UNSAID`](super::stretch::UNSAID),
+    /// and ends that lie on an edge less exact.
     #[inline(always)]
-    pub fn span(&self, ray: &Ray) -> Option<[f64; 2]> {
+    pub fn span(&self, ray: &Ray) -> Option<Stretch> {
         match self {
             Self::Box(cuboid) => cuboid.span(ray),
-            _ => self.convex(ray)?.map(|stretch| [stretch.enter.t, stretch.leave.t]),
+            _ => self.convex(ray)?,
         }
     }
 

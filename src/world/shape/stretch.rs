@@ -3,6 +3,9 @@
 use super::Crossing;
 use crate::world::Range;
 
+/// The part of an end of which only the distance is known.
+pub const UNSAID: u32 = u32::MAX;
+
 /// Where a line enters a convex solid and where it leaves, with `enter.t <= leave.t`.
 #[derive(Clone, Copy, Debug)]
 pub struct Stretch<E = End> {
