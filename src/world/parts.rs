@@ -1,9 +1,8 @@
 //! Everything that makes up the geometry of a world, by number.
 
 use super::accel::Accel;
-use super::csg::is_convex;
 use super::extent::Extent;
-use super::object::{Leaf, Limits, Member};
+use super::object::{Leaf, LeafFlags, Limits, Member};
 use crate::options::Accelerator;
 
 /// How a [`Group`] combines its members.
@@ -16,6 +15,9 @@ pub enum Operation {
     /// Surfaces that are in every other member.
     Intersection,
 }
+
+/// Compounds of more convex members are searched by boxes.
+pub(super) const MOST_CONVEX: usize = 8;
 
 /// A compound.
 #[derive(Debug)]
@@ -44,6 +46,21 @@ pub struct Group {
     pub(super) convex: bool,
     /// Of an intersection: the place of a bounded convex solid, which no other member can exceed.
     pub(super) core: Option<u32>,
+}
+
+/// Whether a compound combines a few convex solids, all hidden from the same rays.
+fn is_convex(operation: Operation, members: &[Member], parts: &Parts) -> bool {
+    let hidden = |member: &Member| match *member {
+        Member::Leaf(number) => {
+            let leaf = parts.leaf(number);
+            let inverted = leaf.flags.contains(LeafFlags::INVERTED);
+            let combines = operation == Operation::Intersection || operation == Operation::Merge && !inverted;
+            (leaf.is_convex() && combines).then_some(leaf.hidden)
+        }
+        Member::Group(_) => None,
+    };
+    let first = members.first().and_then(hidden);
+    first.is_some() && members.len() <= MOST_CONVEX && members.iter().all(|member| hidden(member) == first)
 }
 
 impl Group {

@@ -8,13 +8,13 @@ use super::COARSE;
 use super::scratch::Found;
 use crate::math::wide::widest;
 use crate::world::object::{LeafFlags, Member};
-use crate::world::parts::{Group, Operation, Parts};
+use crate::world::parts::{Group, MOST_CONVEX, Operation, Parts};
 use crate::world::ray::{Range, Ray};
 use crate::world::shape::Crossing;
 use crate::world::shape::stretch::{Stretch, UNSAID};
 
-/// Compounds of more members are searched by boxes.
-pub(in crate::world) const MOST: usize = 8;
+/// The most members of such a compound.
+const MOST: usize = MOST_CONVEX;
 
 /// Two faces are too close to each other to tell which comes first.
 struct Unclear;
@@ -49,21 +49,6 @@ impl Edge {
     fn at(t: f64) -> Self {
         Self { t, place: MOST, leaves: false }
     }
-}
-
-/// Whether a compound is of such a kind.
-pub(in crate::world) fn is_convex(operation: Operation, members: &[Member], parts: &Parts) -> bool {
-    let hidden = |member: &Member| match *member {
-        Member::Leaf(number) => {
-            let leaf = parts.leaf(number);
-            let inverted = leaf.flags.contains(LeafFlags::INVERTED);
-            let combines = operation == Operation::Intersection || operation == Operation::Merge && !inverted;
-            (leaf.is_convex() && combines).then_some(leaf.hidden)
-        }
-        Member::Group(_) => None,
-    };
-    let first = members.first().and_then(hidden);
-    first.is_some() && members.len() <= MOST && members.iter().all(|member| hidden(member) == first)
 }
 
 impl Parts {

@@ -13,7 +13,6 @@ mod gather;
 mod scratch;
 mod survive;
 
-pub(super) use convex::is_convex;
 pub(super) use scratch::Found;
 use survive::Tree;
 
