@@ -6,11 +6,16 @@ use crate::world::shape::plane::Plane;
 use crate::world::shape::sphere::Sphere;
 use crate::world::shape::{Primitive, Shape};
 
+/// What is moved so many times its size stays in its own space, where no digit of its corners is lost.
+const FAR: f64 = 100.0;
+
 /// The primitive that looks in the space around as `primitive` does where `transform` takes it, texture
 /// coordinates and all; `None` where that isn't one of its kind.
 pub(crate) fn settled(primitive: &Primitive, transform: &Transform) -> Option<Primitive> {
+    let moved = transform.forward.translation.abs().max_element();
     let settled = match primitive {
-        Primitive::Plane(plane) => {
+        // Only its distance tells where it is: what moves it would swallow that one's digits.
+        Primitive::Plane(plane) if moved == 0.0 => {
             let normal = transform.normal(plane.normal).try_normalize()?;
             let distance = normal.dot(transform.point(plane.normal * plane.distance));
             distance.is_finite().then_some(Primitive::Plane(Plane { normal, distance }))
@@ -28,7 +33,11 @@ pub(crate) fn settled(primitive: &Primitive, transform: &Transform) -> Option<Pr
         Primitive::Triangle(triangle) => triangle.transformed(transform).map(Primitive::Triangle),
         _ => None,
     };
-    settled.filter(|settled| matches!(settled, Primitive::Plane(_)) || settled.bounds().is_finite())
+    settled.filter(|settled| {
+        let bounds = settled.bounds();
+        let near = || moved <= FAR * bounds.size().max_element();
+        matches!(settled, Primitive::Plane(_)) || bounds.is_finite() && near()
+    })
 }
 
 /// How much a transform that only moves and enlarges does so along each axis.
@@ -85,8 +94,10 @@ mod tests {
         agrees(&sphere, &moved);
         agrees(&sphere, &enlarged);
         agrees(&cuboid, &stretched);
-        for turned in [&turned, &turned.then(&Transform::scale(DVec3::new(-1.0, 1.0, 1.0)))] {
-            agrees(&plane, turned);
+        let spun = Transform::scale(DVec3::new(2.0, 0.5, 1.5))
+            .then(&Transform::rotate(DVec3::new(20.0, 130.0, 40.0)));
+        for spun in [&spun, &spun.then(&Transform::scale(DVec3::new(-1.0, 1.0, 1.0)))] {
+            agrees(&plane, spun);
         }
         agrees(&triangle(None), &turned);
         agrees(&triangle(Some(normals)), &turned);
@@ -96,6 +107,10 @@ mod tests {
     fn what_a_transform_makes_another_kind_stays_where_it_was() {
         let sphere = Primitive::Sphere(Sphere { center: DVec3::ZERO, radius: 1.0 });
         assert!(settled(&sphere, &Transform::scale(DVec3::new(1.0, 2.0, 1.0))).is_none());
+        let far = Transform::translate(DVec3::new(1e3, 0.0, 0.0));
+        assert!(settled(&sphere, &far).is_none(), "its digits would be lost");
+        let plane = Primitive::Plane(Plane { normal: DVec3::Y, distance: 0.25 });
+        assert!(settled(&plane, &far).is_none());
         // Its texture coordinates would turn with it.
         assert!(settled(&sphere, &Transform::rotate(DVec3::Y * 10.0)).is_none());
         let cuboid = Primitive::Box(Cuboid { min: DVec3::ZERO, max: DVec3::ONE });
