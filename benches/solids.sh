@@ -1,8 +1,8 @@
 #!/bin/sh
 # Measures solids beside POV-Ray: benches/solids.sh [POVISTA] [RUNS]
-# Of each scene of benches/scenes/solid, a height_field of 10^6 samples and a mesh2 of 10^6 triangles: processor seconds of a run at 8 x 6
-# pixels (reading and building), what 640 x 480 pixels take beyond that (tracing), the least of so many
-# interleaved runs, and the most memory.
+# Of each scene of benches/scenes/solid, a height_field of 10^6 samples and a mesh2 of 10^6 triangles: processor
+# seconds of a run at 8 x 6 pixels (reading and building), what 640 x 480 pixels take beyond that (tracing), the
+# least of so many interleaved runs, and the most memory.
 set -eu
 povista=${1:-target/release/povista} runs=${2:-3}
 case $povista in */*) povista=$(realpath "$povista") ;; esac

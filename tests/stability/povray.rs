@@ -48,7 +48,7 @@ pub(crate) fn score<M: Subject>(target: &Target<M>, object: &str, rays: u64) -> 
 }
 
 /// Rays to a size or place that POV-Ray is asked about.
-const RAYS: &str = "1000";
+const RAYS: &str = "300";
 
 #[test]
 #[ignore = "asks POV-Ray, which takes some minutes, and writes its table"]
