@@ -20,6 +20,9 @@ const DEPTH_OF_HEURISTIC: u32 = 24;
 /// Parts with more items are built beside each other.
 const MANY: usize = 2048;
 
+/// So many levels of them: each copies the nodes below it.
+const LEVELS_BESIDE: u32 = 2;
+
 /// An item on its way into the tree.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Item {
@@ -71,7 +74,7 @@ where
     F: Fn(&[(Bounds, Child)]) -> Node + Sync,
 {
     let number = nodes.len();
-    let many = part.items.len() > MANY;
+    let many = part.items.len() > MANY && depth < LEVELS_BESIDE;
     let parts = parts(part, depth, longest);
     let mut children: SmallVec<[(Bounds, Child); WIDTH]> = SmallVec::new();
     // Its place is taken before its children's.
@@ -80,7 +83,7 @@ where
         let grown = |part: Part| {
             let bounds = part.bounds;
             let child = leaf(&part, longest).ok_or_else(|| {
-                let mut below = Vec::new();
+                let mut below = Vec::with_capacity(part.items.len() / longest / 3 + 1);
                 grow(part, depth + 1, longest, node, &mut below);
                 below
             });
