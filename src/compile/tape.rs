@@ -215,11 +215,11 @@ impl<'w, 'a> Writer<'w, 'a> {
             return Err(Unsupported::broken(self.function.span, "a function call without arguments"));
         };
         let mut value = self.value(first)?;
-        if let (Builtin::Pow, [Expr::Constant(exponent)], false) = (builtin, rest, self.compiler.last_digits)
+        let exact = self.compiler.last_digits;
+        if let (Builtin::Pow, [Expr::Constant(exponent)]) = (builtin, rest)
+            && let Some(power) = (2..=8).find(|power| !exact && f64::from(*power) == *exponent)
         {
-            if let Some(power) = (2..=8).find(|power| f64::from(*power) == *exponent) {
-                return self.result(mark, Code::Unary(product(power)), value, value);
-            }
+            return self.result(mark, Code::Unary(product(power)), value, value);
         }
         if rest.is_empty() {
             return self.result(mark, one_argument(builtin), value, value);

@@ -31,8 +31,11 @@ use crate::world::function::Budget;
 pub struct Compiled {
     functions: FxHashMap<*const Function, (Arc<Function>, Arc<world::Function>)>,
     objects: FxHashMap<*const Object, (Arc<Object>, Rc<Probe>)>,
-    splines: FxHashMap<(*const scene::Spline, SplineKind), (Arc<scene::Spline>, Rc<Spline>)>,
+    splines: FxHashMap<(*const scene::Spline, SplineKind), Ready>,
 }
+
+/// A spline, and what is ready to be evaluated.
+type Ready = (Arc<scene::Spline>, Rc<Spline>);
 
 /// Terms and calls of a function that are done in the time of a step.
 const TERMS_A_STEP: u64 = 16;

@@ -68,7 +68,7 @@ pub(super) fn unbounded<const N: usize>(c: &[f64], low: f64, high: f64) -> Roots
 /// coefficients' exponents (Newton's polygon) over the middle.
 fn middle_size(c: &[f64]) -> i32 {
     let half = c.len() / 2;
-    let known = || (0..).zip(c).filter(|(_, c)| **c != 0.0).map(|(i, c)| (i as i32, exponent(*c)));
+    let known = || (0..).zip(c).filter(|(_, c)| **c != 0.0).map(|(i, c)| (i, exponent(*c)));
     let half = half as i32;
     let (mut best, mut slope) = (f64::NEG_INFINITY, 0.0);
     for (i, e) in known().filter(|(i, _)| *i < half) {
