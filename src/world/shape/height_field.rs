@@ -30,13 +30,16 @@ pub struct HeightField {
 }
 
 /// Cells along each side of a block.
-const BLOCK: usize = 8;
+const BLOCK: usize = 4;
 
 /// Triangles that are tested at once.
 const MOST: usize = 16;
 
 /// Cells that a ray is over in a block, if it isn't a very slanted one.
 const FEW: usize = 2 * BLOCK;
+
+/// How far above and below a cell's box, in samples' steps, a ray is still taken to go through it.
+const UNSURE: f64 = 1e-6;
 
 /// How far beside its cells a ray is looked for, in cells, and as a share of its distances.
 const BESIDE: [f64; 2] = [1e-9, 1e-12];
@@ -89,14 +92,15 @@ impl HeightField {
         Bounds::of(corners.map(|(x, z)| self.corner(x, z)))
     }
 
-    /// Adds the cells of a block that a ray is over, or nearly.
+    /// Adds the cells of a block whose boxes a ray goes through, or nearly.
     #[inline(always)]
     fn cells_along(&self, ray: &Ray, block: u32, cells: &mut SmallVec<[(usize, usize); FEW]>) {
         let [xs, zs] = self.cells(block as usize);
         let scale = self.size.map(|samples| (samples - 1) as f64);
-        let (x, z) = (ray.origin.x * scale[0], ray.origin.z * scale[1]);
+        let (x, y, z) = (ray.origin.x * scale[0], ray.origin.y * FULL, ray.origin.z * scale[1]);
         let (along_x, along_z) = (ray.direction.x * scale[0], ray.direction.z * scale[1]);
         let slope = if along_x == 0.0 { 0.0 } else { along_x / along_z };
+        let climb = ray.direction.y * FULL / along_z;
         let [room, share] = BESIDE;
         for row in zs {
             let (near, far) = (row as f64 - z, row as f64 + 1.0 - z);
@@ -104,15 +108,29 @@ impl HeightField {
                 continue;
             }
             // Where it comes into the row and leaves it.
-            let ends = [near, far].map(|side| side * slope);
-            let room = room + share * (x.abs() + (z.abs() + row as f64) * slope.abs());
+            let way = z.abs() + row as f64;
+            let ends = [near * slope, far * slope];
+            let room = room + share * (x.abs() + way * slope.abs());
             let low = (x + ends[0].min(ends[1]) - room).floor();
             let high = (x + ends[0].max(ends[1]) + room).floor();
             // What is no number may be anywhere.
             let from = if low > xs.start as f64 { low.min(xs.end as f64) as usize } else { xs.start };
             let to = if high < xs.end as f64 { (high + 1.0).max(0.0) as usize } else { xs.end };
+            if from >= to {
+                continue;
+            }
+            let heights = [y + near * climb, y + far * climb];
+            let room = UNSURE + share * (y.abs() + way * climb.abs());
+            let (least, most) = (heights[0].min(heights[1]) - room, heights[0].max(heights[1]) + room);
+            let width = self.size[0];
+            let (below, above) =
+                (&self.heights[row * width..][..width], &self.heights[(row + 1) * width..][..width]);
             for column in from..to {
-                cells.push((column, row));
+                let [a, b, c, d] = [below[column], below[column + 1], above[column], above[column + 1]];
+                let (bottom, top) = (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)));
+                if !(f64::from(bottom) > most || f64::from(top) < least) {
+                    cells.push((column, row));
+                }
             }
         }
     }
