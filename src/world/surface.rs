@@ -81,8 +81,8 @@ fn details(leaf: &Leaf, ray: &Ray, hit: &Hit) -> [DVec3; 4] {
     let inner = inner_ray.at(hit.t);
     let outer = |inner| leaf.transform.as_ref().map_or(inner, |transform| transform.point(inner));
     if leaf.primitive.is_simple() {
-        let (inner, normal) = leaf.primitive.touched(inner, &hit.crossing);
-        let (point, normal) = (outer(inner), leaf.outer_normal(normal));
+        let inner = leaf.primitive.reproject(inner, &hit.crossing);
+        let (point, normal) = (outer(inner), leaf.outer_normal(leaf.primitive.normal(inner, &hit.crossing)));
         return [point, point, normal, normal];
     }
     let inner = leaf.primitive.reproject(inner, &hit.crossing);
