@@ -151,8 +151,8 @@ mod tests {
             let along = DVec3::new(0.3, 0.5, -0.8) * 0.5_f64.powi(n % 24);
             let p = [0, 1, 2].map(|i| Band::line(Lanes::splat(middle[i]), Lanes::splat(along[i])));
             let vector = octaves.vector_along(p);
-            for axis in 0..3 {
-                holds(vector[axis], |s| octaves.vector(middle + s * along)[axis]);
+            for (axis, band) in vector.into_iter().enumerate() {
+                holds(band, |s| octaves.vector(middle + s * along)[axis]);
             }
             for generator in 1..=3 {
                 let band = octaves.scalar_along(generator, p);
