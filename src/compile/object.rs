@@ -13,15 +13,13 @@ use super::shape::{self, Compiled};
 use super::texture::TextureCompiler;
 use crate::math::{Bounds, DVec3, Transform};
 use crate::scene::object::ObjectFlags;
+use crate::scene::shape::Csg;
 use crate::scene::texture::{LegacyFinish, TextureBody};
 use crate::scene::{Object, Shape, Texture};
 use crate::world::extent::Extent;
 use crate::world::object::LeafFlags;
 use crate::world::shape::Shape as _;
 use crate::world::{Leaf, Member, RayKind};
-
-/// Compounds nested deeper than this, after flattening, are refused: rays recurse into them.
-const MOST_NESTED: u32 = 1200;
 
 /// Stack that must be left for one more level, and how much more there is when it isn't.
 const RED_ZONE: usize = 64 << 10;
@@ -75,8 +73,8 @@ impl Flattener<'_> {
 
     /// Adds an object and all its parts; `None` where it has no geometry or can't be compiled.
     pub(super) fn member(&mut self, object: &Object, around: &Inherited) -> Option<Member> {
-        if around.depth > MOST_NESTED {
-            let limit = format!("objects nested more than {MOST_NESTED} deep");
+        if around.depth > Csg::DEEPEST {
+            let limit = format!("objects nested more than {} deep", Csg::DEEPEST);
             self.flat.unsupported.push(Unsupported::new(object.span, limit));
             return None;
         }

@@ -424,6 +424,13 @@ pub struct Csg {
     pub split_union: bool,
     /// How many shapes there are in it over all levels.
     pub parts: u64,
+    /// How many compounds stand in each other, this one among them; at most [`Csg::DEEPEST`].
+    pub depth: u32,
+}
+
+impl Csg {
+    /// Most compounds that stand in each other: each level takes some of the stack.
+    pub const DEEPEST: u32 = 1200;
 }
 
 /// How a [`Csg`] combines its children.

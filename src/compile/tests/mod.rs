@@ -57,7 +57,7 @@ fn quadric(squares: DVec3, linear: DVec3, constant: f64) -> Arc<Object> {
 
 fn csg(operation: CsgOperation, children: impl IntoIterator<Item = Arc<Object>>) -> Arc<Object> {
     let children = children.into_iter().collect();
-    object(Shape::Csg(Arc::new(Csg { operation, children, split_union: true, parts: 1 })))
+    object(Shape::Csg(Arc::new(Csg { operation, children, split_union: true, parts: 1, depth: 1 })))
 }
 
 fn union(children: impl IntoIterator<Item = Arc<Object>>) -> Arc<Object> {

@@ -30,8 +30,13 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
     let open = vm.accept(Word::Open)?;
     if spline != ContourSpline::Linear && !is_closed(spline, &points) {
         vm.warn(place, "this prism is not closed", "it is left out; end each contour where it begins");
-        let nothing =
-            Csg { operation: CsgOperation::Union, children: Vec::new(), split_union: true, parts: 0 };
+        let nothing = Csg {
+            operation: CsgOperation::Union,
+            children: Vec::new(),
+            split_union: true,
+            parts: 0,
+            depth: 1,
+        };
         return Ok(Shape::Csg(Arc::new(nothing)));
     }
     if spline == ContourSpline::Linear && !close_last(&mut points) {
