@@ -45,8 +45,13 @@ pub(crate) fn probe_in(library: &dyn Fn() -> Library, table: &[(&str, &str)]) {
     let scenes: Vec<String> = table.iter().map(|(scene, _)| format!("{PRELUDE}{scene}\n")).collect();
     let found = povray::outcomes(&scenes, &library().current);
     let mut wrong = Vec::new();
-    for ((scene, wanted), found) in table.iter().zip(found) {
-        let (wanted, found) = (in_short(wanted), in_short(&found));
+    for (((scene, wanted), found), asked) in table.iter().zip(found).zip(&scenes) {
+        let (wanted, mut found) = (in_short(wanted), in_short(&found));
+        if found != wanted {
+            // Once in some hundred starts POV-Ray ends with another code, or without all it has to say.
+            let again = povray::outcomes(std::slice::from_ref(asked), &library().current);
+            found = in_short(&again.concat());
+        }
         if found != wanted {
             wrong.push(format!("{scene}\n  wanted:  {wanted}\n  POV-Ray: {found}"));
         }
