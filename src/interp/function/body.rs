@@ -46,6 +46,18 @@ pub(super) struct Operand {
     varies: bool,
 }
 
+impl Operand {
+    /// A number as it stands in the text.
+    fn number(value: f64) -> Self {
+        Self { expr: Expr::Constant(value), plain: true, combined: false, varies: false }
+    }
+
+    /// Anything else.
+    fn other(expr: Expr, varies: bool) -> Self {
+        Self { expr, plain: false, combined: false, varies }
+    }
+}
+
 /// The binary operators from the loosest to the tightest.
 fn operator(level: usize, punct: Punct) -> Option<BinaryOp> {
     Some(match (level, punct) {
@@ -133,7 +145,7 @@ impl Body {
             .into_iter()
             .zip(operands)
             .fold(first.expr, |left, (op, right)| binary(op, left, right.expr, right.plain));
-        Ok(Operand { expr, plain: false, combined: false, varies })
+        Ok(Operand::other(expr, varies))
     }
 
     fn operator_at(&mut self, vm: &mut Vm, level: usize) -> Result<Option<BinaryOp>> {
@@ -170,12 +182,10 @@ impl Body {
 
     fn operand(&mut self, vm: &mut Vm) -> Result<Operand> {
         let token = vm.peek()?;
-        let constant =
-            |c: f64| Operand { expr: Expr::Constant(c), plain: true, combined: false, varies: false };
         match token.kind {
             TokenKind::Number(value) => {
                 vm.take(token);
-                Ok(constant(value))
+                Ok(Operand::number(value))
             }
             TokenKind::Punct(Punct::OpenParen) => {
                 vm.take(token);
@@ -192,11 +202,11 @@ impl Body {
             TokenKind::Name(symbol) => self.named(vm, token, symbol),
             TokenKind::Word(Word::Pi) => {
                 vm.take(token);
-                Ok(constant(std::f64::consts::PI))
+                Ok(Operand::number(std::f64::consts::PI))
             }
             TokenKind::Word(Word::Clock) => {
                 vm.take(token);
-                Ok(constant(vm.options.clock.value))
+                Ok(Operand::number(vm.options.clock.value))
             }
             TokenKind::Word(word) => self.word(vm, token, word),
             TokenKind::Vector(..)
@@ -209,14 +219,14 @@ impl Body {
 
     fn parameter(&self, variable: Variable) -> Option<Operand> {
         let index = self.parameters.iter().position(|&parameter| parameter == variable)?;
-        Some(Operand { expr: Expr::Parameter(index as u16), plain: false, combined: false, varies: true })
+        Some(Operand::other(Expr::Parameter(index as u16), true))
     }
 
     fn word(&mut self, vm: &mut Vm, token: Token, word: Word) -> Result<Operand> {
         if let Some(axis) = axis(word) {
             vm.take(token);
             // An axis that is no parameter is zero.
-            let zero = Operand { expr: Expr::Constant(0.0), plain: false, combined: false, varies: true };
+            let zero = Operand::other(Expr::Constant(0.0), true);
             return Ok(self.parameter(Variable::Axis(axis)).unwrap_or(zero));
         }
         if matches!(word, Word::Sum | Word::Prod) {
@@ -251,7 +261,7 @@ impl Body {
             }
             _ => Expr::Call(builtin, arguments),
         };
-        Ok(Operand { expr, plain: false, combined: false, varies })
+        Ok(Operand::other(expr, varies))
     }
 
     /// Reads `(i, from, to, term)` after `sum` or `prod`.
@@ -282,19 +292,14 @@ impl Body {
         let varies = from.varies || to.varies || term.varies;
         let parts = Box::new([from.expr, to.expr, term.expr]);
         let expr = if word == Word::Sum { Expr::Sum(parts) } else { Expr::Product(parts) };
-        Ok(Operand { expr, plain: false, combined: false, varies })
+        Ok(Operand::other(expr, varies))
     }
 
     /// Reads a name: what counts in a sum, a parameter, a variable, or the call of a function.
     fn named(&mut self, vm: &mut Vm, token: Token, symbol: Symbol) -> Result<Operand> {
         if let Some(index) = self.running.iter().rposition(|&running| running == symbol) {
             vm.take(token);
-            return Ok(Operand {
-                expr: Expr::Running(index as u16),
-                plain: false,
-                combined: false,
-                varies: true,
-            });
+            return Ok(Operand::other(Expr::Running(index as u16), true));
         }
         if let Some(operand) = self.parameter(Variable::Name(symbol)) {
             vm.take(token);
@@ -314,7 +319,7 @@ impl Body {
         match value {
             Value::Float(value) => {
                 vm.take(token);
-                Ok(Operand { expr: Expr::Constant(value), plain: true, combined: false, varies: false })
+                Ok(Operand::number(value))
             }
             Value::Function(function) => {
                 vm.take(token);
@@ -340,7 +345,7 @@ impl Body {
             format!("function `{name}` calls itself, which POV-Ray does not support"),
             "it has to end: `select` computes only the argument it chooses",
         );
-        Ok(Operand { expr: Expr::Recursion(arguments), plain: false, combined: false, varies })
+        Ok(Operand::other(Expr::Recursion(arguments), varies))
     }
 
     fn call(&mut self, vm: &mut Vm, function: Arc<Function>, span: Span) -> Result<Operand> {
@@ -355,7 +360,7 @@ impl Body {
         );
         let expr =
             if several { self.component(vm, function, arguments)? } else { Expr::User(function, arguments) };
-        Ok(Operand { expr, plain: false, combined: false, varies })
+        Ok(Operand::other(expr, varies))
     }
 
     /// Reads the `.member` that has to follow the call of a function with several components.

@@ -55,41 +55,41 @@ impl Parts {
     /// The nearest point in `range` of the surface of a compound of convex solids; `None` where faces are
     /// too close to each other to tell.
     pub(super) fn nearest_of_convex(&self, group: &Group, ray: &Ray, range: Range) -> Option<Option<Found>> {
-        if range.min == f64::NEG_INFINITY {
-            return None;
-        }
         widest(
             #[inline(always)]
             || {
                 let mut stretches = Stretches::new(ray);
-                if !self.meet(group, ray, range, &mut stretches) {
-                    return Some(None);
-                }
-                let edge = stretches.nearest(group.operation, range).ok()?;
-                Some(
-                    edge.filter(|edge| range.contains(edge.t))
-                        .and_then(|edge| self.found(ray, &stretches, edge)),
-                )
+                let edge = self.first_edge(group, ray, range, &mut stretches)?;
+                Some(edge.and_then(|edge| self.found(ray, &stretches, edge)))
             },
         )
     }
 
     /// Whether anything of such a compound is in `range`.
     pub(super) fn occludes_convex(&self, group: &Group, ray: &Ray, range: Range) -> Option<bool> {
+        widest(
+            #[inline(always)]
+            || Some(self.first_edge(group, ray, range, &mut Stretches::new(ray))?.is_some()),
+        )
+    }
+
+    /// The edge where such a compound's surface first is in `range`.
+    #[inline(always)]
+    fn first_edge(
+        &self,
+        group: &Group,
+        ray: &Ray,
+        range: Range,
+        stretches: &mut Stretches,
+    ) -> Option<Option<Edge>> {
         if range.min == f64::NEG_INFINITY {
             return None;
         }
-        widest(
-            #[inline(always)]
-            || {
-                let mut stretches = Stretches::new(ray);
-                if !self.meet(group, ray, range, &mut stretches) {
-                    return Some(false);
-                }
-                let edge = stretches.nearest(group.operation, range).ok()?;
-                Some(edge.is_some_and(|edge| range.contains(edge.t)))
-            },
-        )
+        if !self.meet(group, ray, range, stretches) {
+            return Some(None);
+        }
+        let edge = stretches.nearest(group.operation, range).ok()?;
+        Some(edge.filter(|edge| range.contains(edge.t)))
     }
 
     /// The crossing at an edge.
