@@ -42,7 +42,7 @@ fn read(text: &str) -> Option<Scene> {
 fn painted(scene: &Scene) -> Option<Arc<Function>> {
     let TextureBody::Layered(layers) = &*scene.objects.first()?.texture.as_ref()?.body else { return None };
     let PigmentKind::Colors { field, .. } = &layers.first()?.pigment.kind else { return None };
-    let Pattern::Function(function) = &field.pattern else { return None };
+    let Pattern::Function(function) = &*field.pattern else { return None };
     TextureCompiler::new(&scene.settings).function(function).ok()
 }
 

@@ -4,6 +4,7 @@
 
 use super::flatten::{Flattener, Inherited};
 use crate::math::Bounds;
+use crate::scene::depth::Nested;
 use crate::scene::object::ObjectFlags;
 use crate::scene::{Object, Shape};
 use crate::world::extent::Extent;
@@ -40,7 +41,7 @@ impl Flattener<'_> {
         let bounds = self.extent(object);
         let mut plain = object.clone();
         if let Some(extra) = &mut plain.extra {
-            extra.bounded_by.clear();
+            extra.bounded_by = Nested::default();
         }
         if self.extent(&plain) != bounds {
             let bounds = own.outer.as_ref().map_or(bounds, |outer| bounds.transformed(outer));

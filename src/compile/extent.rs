@@ -42,7 +42,9 @@ impl Flattener<'_> {
                 Err(_) => Bounds::EMPTY,
             },
         };
-        for limit in object.extra.iter().flat_map(|extra| extra.clipped_by.iter().chain(&extra.bounded_by)) {
+        for limit in
+            object.extra.iter().flat_map(|extra| extra.clipped_by.iter().chain(extra.bounded_by.iter()))
+        {
             let limit = self.extent(limit);
             if volume(limit) < volume(bounds) {
                 bounds = limit;

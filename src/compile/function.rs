@@ -38,7 +38,7 @@ impl TextureCompiler<'_> {
 
     /// The body, and how many functions deep it calls.
     fn function_body(&mut self, function: &scene::Function) -> Result<(Body, u32), Unsupported> {
-        let body = match &function.body {
+        let body = match &*function.body {
             FunctionBody::Expression(expression) => {
                 let (tape, depth) = Writer::new(self, function).tape(expression)?;
                 return Ok((Body::Tape(tape), depth));
@@ -67,13 +67,19 @@ mod tests {
 
     use super::*;
     use crate::math::{Band, DVec3, Lanes, Transform};
+    use crate::scene::depth::Nested;
     use crate::scene::function::{BinaryOp, Builtin, Expr};
     use crate::scene::settings::Settings;
     use crate::source::Span;
     use crate::world::function::Budget;
 
     fn of(parameters: usize, body: FunctionBody) -> Arc<scene::Function> {
-        Arc::new(scene::Function { span: Span::default(), name: "f".into(), parameters, body })
+        Arc::new(scene::Function {
+            span: Span::default(),
+            name: "f".into(),
+            parameters,
+            body: Nested::new(body),
+        })
     }
 
     fn expression(parameters: usize, expression: Expr) -> Arc<scene::Function> {

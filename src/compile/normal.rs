@@ -38,7 +38,7 @@ impl TextureCompiler<'_> {
             Kind::Normals { field, map } => {
                 let map =
                     self.map(field, map, |this, normal| this.nested(field.span, |this| this.normal(normal)))?;
-                match field.pattern {
+                match *field.pattern {
                     Pattern::Average => NormalKind::Average(self.warps(field), map),
                     _ => NormalKind::Normals(self.pattern(field)?, map),
                 }

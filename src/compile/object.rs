@@ -12,8 +12,8 @@ use super::shape::settled::settled;
 use super::shape::{self, Compiled};
 use super::texture::TextureCompiler;
 use crate::math::{Bounds, DVec3, Transform};
+use crate::scene::depth::DEEPEST;
 use crate::scene::object::ObjectFlags;
-use crate::scene::shape::Csg;
 use crate::scene::texture::{LegacyFinish, TextureBody};
 use crate::scene::{Object, Shape, Texture};
 use crate::world::extent::Extent;
@@ -73,8 +73,8 @@ impl Flattener<'_> {
 
     /// Adds an object and all its parts; `None` where it has no geometry or can't be compiled.
     pub(super) fn member(&mut self, object: &Object, around: &Inherited) -> Option<Member> {
-        if around.depth > Csg::DEEPEST {
-            let limit = format!("objects nested more than {} deep", Csg::DEEPEST);
+        if around.depth > DEEPEST {
+            let limit = format!("objects nested more than {} deep", DEEPEST);
             self.flat.unsupported.push(Unsupported::new(object.span, limit));
             return None;
         }

@@ -37,7 +37,7 @@ impl TextureCompiler<'_> {
     pub(super) fn warps(&self, field: &from::Field) -> Warps {
         let classic = field.turbulence.filter(|turbulence| {
             // These take the turbulence into their formula instead.
-            let in_formula = matches!(field.pattern, from::Pattern::Marble | from::Pattern::Wood);
+            let in_formula = matches!(*field.pattern, from::Pattern::Marble | from::Pattern::Wood);
             !in_formula && turbulence.amount != DVec3::ZERO
         });
         let classic =
@@ -55,7 +55,7 @@ impl TextureCompiler<'_> {
             octaves: octaves(turbulence),
             generator,
         });
-        Ok(match &field.pattern {
+        Ok(match &*field.pattern {
             From::Agate { turbulence } => Formula::Agate(to::agate::Agate {
                 strength: f64::from(*turbulence),
                 octaves: octaves(&field.turbulence.unwrap_or_default()),

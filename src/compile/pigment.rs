@@ -44,7 +44,7 @@ impl TextureCompiler<'_> {
             PigmentKind::Pigments { field, map } => {
                 let map = self
                     .map(field, map, |this, pigment| this.nested(field.span, |this| this.pigment(pigment)))?;
-                match field.pattern {
+                match *field.pattern {
                     Pattern::Average => Pigment::Average(self.warps(field), map),
                     _ => Pigment::Pigments(Box::new(self.pattern(field)?), map),
                 }

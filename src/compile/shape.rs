@@ -162,7 +162,7 @@ fn flat(disc: &scene::Disc) -> Compiled {
 fn field(blob: &scene::Blob) -> Blob {
     let mut parts = Vec::new();
     let mut textures = 0..;
-    for component in &blob.components {
+    for component in blob.components.iter() {
         let texture = component.texture.as_ref().and_then(|_| textures.next()).unwrap_or(OWN_TEXTURE);
         let place = |radius: f64, turn: Transform, at: DVec3| {
             let own = Transform::scale(DVec3::splat(radius)).then(&turn).then(&Transform::translate(at));

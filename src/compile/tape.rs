@@ -304,7 +304,7 @@ impl<'w, 'a> Writer<'w, 'a> {
             ));
         }
         self.calls = self.calls.max(compiled.depth + 1);
-        if let FunctionBody::Expression(body) = &function.body
+        if let FunctionBody::Expression(body) = &*function.body
             && self.depth + SHORT < DEEPEST
             && self.ops.len() < LONG
             && self.used < MOST_IN_USE

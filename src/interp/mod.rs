@@ -78,6 +78,7 @@ use crate::math::gamma::Gamma;
 use crate::math::pages;
 use crate::options::{Declared, LanguageOptions};
 use crate::scene::Scene;
+use crate::scene::depth::{DEEPEST, Depth};
 use crate::source::{FileId, Sources, Span};
 use crate::syntax::{Punct, Symbol, Symbols};
 use code::Code;
@@ -407,6 +408,27 @@ impl<'a> Vm<'a> {
         let result = stacker::maybe_grow(RED_ZONE, MORE, || read(self));
         self.nesting -= 1;
         result
+    }
+
+    /// Reads a value that can hold others of its kind: checks also how deep those hold others,
+    /// which were declared before it.
+    pub fn nested_value<T: Depth>(
+        &mut self,
+        span: Span,
+        read: impl FnOnce(&mut Self) -> Result<T>,
+    ) -> Result<T> {
+        let value = self.nested(span, read)?;
+        self.check_depth(&value, span)?;
+        Ok(value)
+    }
+
+    /// Refuses a value in which others stand in each other too deep.
+    fn check_depth(&mut self, value: &impl Depth, span: Span) -> Result<()> {
+        if value.depth() <= DEEPEST {
+            return Ok(());
+        }
+        let message = format!("this is nested more than {DEEPEST} levels deep, counting what it names");
+        Err(self.fatal(span, message).help("each holds the one before: does a loop add to it?"))
     }
 
     /// The error for what is nested too deep.

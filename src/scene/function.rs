@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::depth::Nested;
 use super::pigment::Pigment;
 use super::{Field, Spline};
 use crate::math::Transform;
@@ -17,7 +18,7 @@ pub struct Function {
     /// Number of parameters; `x, y, z` where none were written.
     pub parameters: usize,
     /// What it computes.
-    pub body: FunctionBody,
+    pub body: Nested<FunctionBody>,
 }
 
 /// What a [`Function`] computes.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::Object;
+use super::depth::Nested;
 use crate::math::{DVec3, Rgb};
 
 /// A `light_source`, in the space its statement's transforms lead to.
@@ -25,9 +26,9 @@ pub struct Light {
     /// A grid of lights instead of one.
     pub area: Option<AreaLight>,
     /// The visible shape of the light, already at its place.
-    pub looks_like: Option<Arc<Object>>,
+    pub looks_like: Option<Nested<Arc<Object>>>,
     /// Light reaches only what is seen through this.
-    pub projected_through: Option<Arc<Object>>,
+    pub projected_through: Option<Nested<Arc<Object>>>,
     /// Lights without shadows and highlights.
     pub shadowless: bool,
     /// Media is lit.

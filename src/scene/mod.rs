@@ -12,6 +12,7 @@
 
 pub mod atmosphere;
 pub mod camera;
+pub mod depth;
 mod dump;
 pub mod function;
 pub mod image;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use bitflags::bitflags;
 
+use super::depth::Nested;
 use super::{Interior, Shape, Texture};
 use crate::math::Transform;
 use crate::source::Span;
@@ -37,9 +38,9 @@ pub struct ObjectExtra {
     /// What the object is filled with.
     pub interior: Option<Arc<Interior>>,
     /// Only points inside all of these remain.
-    pub clipped_by: Vec<Arc<Object>>,
+    pub clipped_by: Nested<Vec<Arc<Object>>>,
     /// Rays that miss one of these miss the object.
-    pub bounded_by: Vec<Arc<Object>>,
+    pub bounded_by: Nested<Vec<Arc<Object>>>,
     /// `photons { … }`.
     pub photons: Option<PhotonFlags>,
     /// `radiosity { importance F }`, in (0, 1].
@@ -134,8 +135,10 @@ impl Object {
         if let Some(interior) = extra.interior.as_mut().filter(|i| !i.media.is_empty()) {
             Arc::make_mut(interior).apply(by);
         }
-        for object in extra.clipped_by.iter_mut().chain(&mut extra.bounded_by) {
-            Arc::make_mut(object).apply(by);
+        for list in [&mut extra.clipped_by, &mut extra.bounded_by] {
+            for object in list.inside_mut() {
+                Arc::make_mut(object).apply(by);
+            }
         }
     }
 }

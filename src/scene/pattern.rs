@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::depth::Nested;
 use super::image::ImageMap;
 use super::{Function, Object, Pigment};
 use crate::math::{DVec2, DVec3, Transform};
@@ -13,7 +14,7 @@ pub struct Field {
     /// Where the pattern was written.
     pub span: Span,
     /// The formula.
-    pub pattern: Pattern,
+    pub pattern: Nested<Pattern>,
     /// 0 keeps the raw value; see [`Pattern::default_frequency`].
     pub frequency: f32,
     /// Added after the frequency.
@@ -281,7 +282,7 @@ impl Field {
             turbulence: matches!(pattern, Pattern::Agate { .. }).then(Turbulence::default),
             warps: Vec::new(),
             noise_generator: None,
-            pattern,
+            pattern: Nested::new(pattern),
         }
     }
 

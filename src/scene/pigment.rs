@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::depth::{Depth, Nested};
 use super::image::ImageMap;
 use super::pattern::FractalKind;
 use super::{Field, Pattern};
@@ -54,13 +55,18 @@ pub enum PigmentKind {
 #[derive(Clone, Debug, PartialEq)]
 pub struct BlendMap<T> {
     /// (position, entry).
-    pub entries: Vec<(f32, T)>,
+    pub entries: Nested<Vec<(f32, T)>>,
 }
 
-impl<T> BlendMap<T> {
+impl<T: Depth> BlendMap<T> {
+    /// A map of these entries.
+    pub fn new(entries: Vec<(f32, T)>) -> Self {
+        Self { entries: Nested::new(entries) }
+    }
+
     /// The list of a list pattern: entries at 0, 1, 2 ….
     pub fn list(entries: impl IntoIterator<Item = T>) -> Self {
-        Self { entries: entries.into_iter().enumerate().map(|(i, e)| (i as f32, e)).collect() }
+        Self::new(entries.into_iter().enumerate().map(|(i, e)| (i as f32, e)).collect())
     }
 }
 
@@ -100,10 +106,10 @@ impl Pigment {
         match &mut self.kind {
             PigmentKind::Color(color) => convert(color),
             PigmentKind::Colors { map: Some(map), .. } => {
-                Arc::make_mut(map).entries.iter_mut().for_each(|(_, color)| convert(color));
+                Arc::make_mut(map).entries.inside_mut().iter_mut().for_each(|(_, color)| convert(color));
             }
             PigmentKind::Pigments { map, .. } => {
-                for (_, pigment) in &mut Arc::make_mut(map).entries {
+                for (_, pigment) in Arc::make_mut(map).entries.inside_mut() {
                     Arc::make_mut(pigment).filter_to_transmit();
                 }
             }
@@ -137,8 +143,8 @@ impl Pattern {
         const CYAN: [f32; 3] = [0.0, 1.0, 1.0];
         const MAGENTA: [f32; 3] = [1.0, 0.0, 1.0];
         let rgb = |c: [f32; 3]| Rgbft::opaque(Rgb::from_array(c));
-        let map = |entries: &[(f32, [f32; 3])]| BlendMap {
-            entries: entries.iter().map(|&(at, c)| (at, rgb(c))).collect(),
+        let map = |entries: &[(f32, [f32; 3])]| {
+            BlendMap::new(entries.iter().map(|&(at, c)| (at, rgb(c))).collect())
         };
         let list = |colors: &[[f32; 3]]| BlendMap::list(colors.iter().map(|&c| rgb(c)));
         match self {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::depth::Nested;
 use super::function::Function;
 use super::image::ImageSource;
 use super::{Light, Object, Texture};
@@ -151,7 +152,7 @@ pub struct Blob {
     /// Field strength of the surface.
     pub threshold: f64,
     /// Components in order.
-    pub components: Vec<BlobComponent>,
+    pub components: Nested<Vec<BlobComponent>>,
 }
 
 /// One component of a blob.
@@ -419,18 +420,11 @@ pub struct Csg {
     /// How the children combine.
     pub operation: CsgOperation,
     /// In order; a `difference` takes the others from the first.
-    pub children: Vec<Arc<Object>>,
+    pub children: Nested<Vec<Arc<Object>>>,
     /// `split_union`: a union at the top level is dissolved into its members.
     pub split_union: bool,
     /// How many shapes there are in it over all levels.
     pub parts: u64,
-    /// How many compounds stand in each other, this one among them; at most [`Csg::DEEPEST`].
-    pub depth: u32,
-}
-
-impl Csg {
-    /// Most compounds that stand in each other: each level takes some of the stack.
-    pub const DEEPEST: u32 = 1200;
 }
 
 /// How a [`Csg`] combines its children.
@@ -447,7 +441,7 @@ pub enum CsgOperation {
 #[derive(Clone, Debug, Default)]
 pub struct LightGroup {
     /// Objects and lights that see each other.
-    pub objects: Vec<Arc<Object>>,
+    pub objects: Nested<Vec<Arc<Object>>>,
     /// Whether global lights reach the objects too.
     pub global_lights: bool,
 }

@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use super::depth::Nested;
 use super::image::ImageMap;
 use super::pigment::BlendMap;
 use super::{Field, Pigment};
@@ -40,7 +41,7 @@ pub enum TextureBody {
         /// The image.
         image: Arc<ImageMap>,
         /// The textures.
-        textures: Vec<Texture>,
+        textures: Nested<Vec<Texture>>,
     },
     /// `uv_mapping` in a texture: the rest is evaluated at `<u,v,0>`.
     UvMapped(Box<Texture>),

@@ -47,8 +47,8 @@ fn read(text: &str, folder: &Path) -> Result<Scene, String> {
 fn painted(scene: &Scene) -> Option<Arc<Function>> {
     let TextureBody::Layered(layers) = &*scene.objects.first()?.texture.as_ref()?.body else { return None };
     let PigmentKind::Colors { field, .. } = &layers.first()?.pigment.kind else { return None };
-    let Pattern::Function(function) = &field.pattern else { return None };
-    match &function.body {
+    let Pattern::Function(function) = &*field.pattern else { return None };
+    match &*function.body {
         FunctionBody::Expression(Expr::User(inner, _) | Expr::Component(inner, _, _)) => Some(inner.clone()),
         _ => None,
     }

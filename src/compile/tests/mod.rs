@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 use super::probe::Probe;
 use crate::math::{DVec3, Transform};
+use crate::scene::depth::Nested;
 use crate::scene::object::{ObjectExtra, ObjectFlags};
 use crate::scene::settings::Settings;
 use crate::scene::shape::{Cone, Csg, CsgOperation, Disc, Poly, Quadric, Triangle};
@@ -56,8 +57,8 @@ fn quadric(squares: DVec3, linear: DVec3, constant: f64) -> Arc<Object> {
 }
 
 fn csg(operation: CsgOperation, children: impl IntoIterator<Item = Arc<Object>>) -> Arc<Object> {
-    let children = children.into_iter().collect();
-    object(Shape::Csg(Arc::new(Csg { operation, children, split_union: true, parts: 1, depth: 1 })))
+    let children = Nested::new(children.into_iter().collect());
+    object(Shape::Csg(Arc::new(Csg { operation, children, split_union: true, parts: 1 })))
 }
 
 fn union(children: impl IntoIterator<Item = Arc<Object>>) -> Arc<Object> {
@@ -87,7 +88,7 @@ fn inverse(mut object: Arc<Object>) -> Arc<Object> {
 }
 
 fn clipped(mut object: Arc<Object>, clips: impl IntoIterator<Item = Arc<Object>>) -> Arc<Object> {
-    let clipped_by = clips.into_iter().collect();
+    let clipped_by = Nested::new(clips.into_iter().collect());
     Arc::make_mut(&mut object).extra = Some(Box::new(ObjectExtra { clipped_by, ..ObjectExtra::default() }));
     object
 }

@@ -48,7 +48,7 @@ fn light() -> Arc<Object> {
 }
 
 fn light_group(objects: impl IntoIterator<Item = Arc<Object>>, global_lights: bool) -> Arc<Object> {
-    let objects = objects.into_iter().collect();
+    let objects = Nested::new(objects.into_iter().collect());
     object(Shape::LightGroup(Arc::new(LightGroup { objects, global_lights })))
 }
 
@@ -183,7 +183,7 @@ fn lights_reach_what_their_groups_say() {
 fn the_shape_a_light_looks_like_is_seen_but_casts_no_shadow() {
     let mut lamp = light();
     if let Shape::Light(light) = &mut Arc::make_mut(&mut lamp).shape {
-        Arc::make_mut(light).looks_like = Some(sphere(DVec3::ZERO, 1.));
+        Arc::make_mut(light).looks_like = Some(Nested::new(sphere(DVec3::ZERO, 1.)));
     }
     let geometry = geometry(&[moved(lamp, Transform::translate(DVec3::X))]);
     assert_eq!(hit(&geometry, v(1., 0., -5.), DVec3::Z, RayKind::IMAGE).unwrap().t, 4.);
@@ -196,7 +196,7 @@ fn the_shape_a_light_looks_like_is_seen_but_casts_no_shadow() {
 #[test]
 fn bounds_that_are_too_small_cut() {
     let bounded = |mut object: Arc<Object>, by: Arc<Object>| {
-        let bounded_by = vec![by];
+        let bounded_by = Nested::new(vec![by]);
         Arc::make_mut(&mut object).extra =
             Some(Box::new(ObjectExtra { bounded_by, ..ObjectExtra::default() }));
         object

@@ -366,6 +366,9 @@ impl Vm<'_> {
             self.note_use(symbol, token.span);
             self.take(token);
             let value = place.get().unwrap_or(Value::Poisoned);
+            if let Value::Array(array) = &value {
+                self.check_depth(&**array, token.span)?;
+            }
             if let Some(alias) = alias {
                 *alias = Some(place);
             }

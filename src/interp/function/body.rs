@@ -355,7 +355,7 @@ impl Body {
             return Err(fault.see(function.span, "the function"));
         }
         let several = matches!(
-            function.body,
+            *function.body,
             FunctionBody::Pigment(_) | FunctionBody::Transform(_) | FunctionBody::Spline(_)
         );
         let expr =

@@ -8,6 +8,7 @@ use super::stream::{Token, TokenKind};
 use super::value::Value;
 use super::{Fault, Result, Vm, Word, statement};
 use crate::scene::Function;
+use crate::scene::depth::Nested;
 use crate::scene::function::FunctionBody;
 use crate::syntax::{Punct, Symbol};
 use body::Body;
@@ -78,7 +79,10 @@ impl Vm<'_> {
             }
         };
         let end = self.close(block)?;
-        Ok(Function { span: keyword.span.to(end), name: "".into(), parameters, body })
+        let body = Nested::new(body);
+        let function = Function { span: keyword.span.to(end), name: "".into(), parameters, body };
+        self.check_depth(&function, keyword.span)?;
+        Ok(function)
     }
 
     fn read_parameters(&mut self) -> Result<Vec<Variable>> {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{modifier, object, transform};
 use crate::interp::{Result, Vm, Word};
+use crate::scene::depth::Nested;
 use crate::scene::object::ObjectFlags;
 use crate::scene::{Object, Shape};
 
@@ -50,7 +51,8 @@ pub(super) fn read(vm: &mut Vm<'_>, owner: &mut Object) -> Result<()> {
     }
     vm.close(block)?;
     let extra = modifier::extra(owner);
-    if clips { &mut extra.clipped_by } else { &mut extra.bounded_by }.extend(objects);
+    let list = if clips { &mut extra.clipped_by } else { &mut extra.bounded_by };
+    *list = Nested::new(list.iter().cloned().chain(objects).collect());
     Ok(())
 }
 

@@ -4,19 +4,20 @@ use std::sync::Arc;
 
 use super::{modifier, object, photons};
 use crate::interp::{Block, Result, Vm, Word};
+use crate::scene::depth::Nested;
 use crate::scene::shape::LightGroup;
 use crate::scene::{Object, Shape};
 
 /// Reads the rest of the statement after its brace: objects and lights, then what concerns them all.
 pub(super) fn read(vm: &mut Vm<'_>, block: Block) -> Result<Object> {
-    let mut group = LightGroup { objects: Vec::new(), global_lights: false };
+    let (mut objects, mut global_lights) = (Vec::new(), false);
     while let Some(object) = object::any(vm)? {
-        group.objects.push(object);
+        objects.push(object);
     }
     let mut object = Object::new(block.span, Shape::LightGroup(Arc::default()));
     loop {
         match vm.peek_word()? {
-            Some(Word::GlobalLights) => group.global_lights = vm.after_word(Vm::read_flag)?,
+            Some(Word::GlobalLights) => global_lights = vm.after_word(Vm::read_flag)?,
             Some(Word::Photons) => photons::of_object(vm, &mut modifier::extra(&mut object).photons)?,
             _ => {
                 if !modifier::place(vm, &mut object)? {
@@ -26,6 +27,6 @@ pub(super) fn read(vm: &mut Vm<'_>, block: Block) -> Result<Object> {
         }
     }
     vm.close(block)?;
-    object.shape = Shape::LightGroup(Arc::new(group));
+    object.shape = Shape::LightGroup(Arc::new(LightGroup { objects: Nested::new(objects), global_lights }));
     Ok(object)
 }

@@ -6,6 +6,7 @@ use super::{color, map, modifier, object, photons, transform};
 use crate::interp::limits::MOST_LIGHTS;
 use crate::interp::{Block, Result, Vm, Word};
 use crate::math::{DVec3, Rgb, Transform};
+use crate::scene::depth::Nested;
 use crate::scene::light::{AreaLight, Light, LightKind};
 use crate::scene::object::ObjectFlags;
 use crate::scene::{Object, Shape};
@@ -203,13 +204,13 @@ fn looks_like(vm: &mut Vm<'_>, light: &mut Light) -> Result<()> {
     let mut object = attached(vm, light.looks_like.is_some())?;
     object.apply(&Transform::translate(light.location));
     object.flags |= ObjectFlags::NO_SHADOW;
-    light.looks_like = Some(Arc::new(object));
+    light.looks_like = Some(Nested::new(Arc::new(object)));
     Ok(())
 }
 
 fn projected_through(vm: &mut Vm<'_>, light: &mut Light) -> Result<()> {
     let object = attached(vm, light.projected_through.is_some())?;
-    light.projected_through = Some(Arc::new(object));
+    light.projected_through = Some(Nested::new(Arc::new(object)));
     Ok(())
 }
 
@@ -238,6 +239,6 @@ fn apply(light: &mut Light, by: &Transform) {
         area.axes = area.axes.map(|axis| by.vector(axis));
     }
     for object in light.looks_like.iter_mut().chain(&mut light.projected_through) {
-        Arc::make_mut(object).apply(by);
+        Arc::make_mut(object.inside_mut()).apply(by);
     }
 }

@@ -7,6 +7,7 @@ use super::{color, normal, pigment, texture};
 use crate::interp::value::Value;
 use crate::interp::{Fault, Result, Vm, Word};
 use crate::math::{DVec2, Rgbft};
+use crate::scene::depth::Depth;
 use crate::scene::pigment::BlendMap;
 use crate::scene::{Normal, Pigment, Texture};
 use crate::source::Span;
@@ -16,7 +17,7 @@ use crate::syntax::Punct;
 const MOST_ENTRIES: usize = 256;
 
 /// Reads `word { ID }` or `word { [ … ] … }`; `entry` reads the inside of one pair of brackets.
-fn read<T>(
+fn read<T: Depth>(
     vm: &mut Vm<'_>,
     named: impl Fn(&Value) -> Option<Arc<BlendMap<T>>>,
     mut entry: impl FnMut(&mut Vm<'_>, &mut Vec<(f32, T)>) -> Result<()>,
@@ -42,7 +43,7 @@ fn read<T>(
         return Err(vm.expected("`[`").help("a map consists of entries such as `[0.5 rgb 1]`"));
     }
     vm.close(block)?;
-    Ok(Arc::new(BlendMap { entries }))
+    Ok(Arc::new(BlendMap::new(entries)))
 }
 
 /// Reads the position before an entry. For `average` it is a weight and may be left out.

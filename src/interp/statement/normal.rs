@@ -54,7 +54,7 @@ pub(super) fn default(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Opt
 
 /// Reads the inside of a normal, as it also stands in a map.
 pub(super) fn body(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Arc<Normal>> {
-    vm.nested(vm.last, |vm| inside(vm, base))
+    vm.nested_value(vm.last, |vm| inside(vm, base))
 }
 
 fn inside(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>) -> Result<Arc<Normal>> {
@@ -78,6 +78,9 @@ fn read(vm: &mut Vm<'_>, base: Option<&Arc<Normal>>, bumps: &mut Bumps) -> Resul
         Some(Word::UvMapping) => {
             vm.next()?;
             let inner = body(vm, base)?;
+            if matches!(inner.kind, NormalKind::UvMapped(_)) {
+                return Ok(Some(inner));
+            }
             let Normal { amount, accuracy, no_bump_scale, .. } = *inner;
             return Ok(Some(Arc::new(Normal {
                 kind: NormalKind::UvMapped(inner),
@@ -199,7 +202,7 @@ fn one_modifier(vm: &mut Vm<'_>, normal: &mut Option<Arc<Normal>>, bumps: &mut B
         Word::NormalMap => {
             let place = vm.here()?;
             let field = normal.as_deref().and_then(Normal::field);
-            let average = field.is_some_and(|field| matches!(field.pattern, Pattern::Average));
+            let average = field.is_some_and(|field| matches!(*field.pattern, Pattern::Average));
             let map = map::normals(vm, average)?;
             let field = mapped(vm, normal.as_deref(), word, place)?;
             set_kind(normal, NormalKind::Normals { field, map });
@@ -259,7 +262,7 @@ fn mapped(vm: &Vm<'_>, normal: Option<&Normal>, word: Word, place: Span) -> Resu
 
 fn check(vm: &Vm<'_>, normal: &Normal) -> Result<()> {
     if let NormalKind::Pattern { field, .. } = &normal.kind
-        && matches!(field.pattern, Pattern::Average)
+        && matches!(*field.pattern, Pattern::Average)
     {
         return Err(vm
             .error(field.span, "`average` needs a map")

@@ -38,7 +38,7 @@ fn variable(vm: &mut Vm<'_>) -> Result<Option<Arc<Object>>> {
 pub(in crate::interp) fn statement(vm: &mut Vm<'_>) -> Result<Object> {
     let block = vm.enter()?;
     vm.count_object(block.span)?;
-    vm.nested(block.span, |vm| inside(vm, block))
+    vm.nested_value(block.span, |vm| inside(vm, block))
 }
 
 fn inside(vm: &mut Vm<'_>, block: Block) -> Result<Object> {

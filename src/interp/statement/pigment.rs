@@ -33,7 +33,7 @@ pub(in crate::interp) fn density(vm: &mut Vm<'_>) -> Result<Arc<Pigment>> {
 
 /// Reads the inside of a pigment or density, as it also stands in a map.
 pub(super) fn body(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigment>> {
-    vm.nested(vm.last, |vm| inside(vm, base, owner))
+    vm.nested_value(vm.last, |vm| inside(vm, base, owner))
 }
 
 fn inside(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigment>> {
@@ -48,6 +48,9 @@ fn inside(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigm
         Some(Word::UvMapping) => {
             vm.next()?;
             let inner = body(vm, base, owner)?;
+            if matches!(inner.kind, PigmentKind::UvMapped(_)) {
+                return Ok(inner);
+            }
             let quick_color = inner.quick_color.clone();
             return Ok(Arc::new(Pigment { kind: PigmentKind::UvMapped(inner), quick_color }));
         }
@@ -190,7 +193,7 @@ pub(super) fn modifier(
                 return Ok(true);
             }
             let field = mapped(vm, pigment, word, place)?;
-            if matches!(field.pattern, Pattern::Average) {
+            if matches!(*field.pattern, Pattern::Average) {
                 return Err(vm
                     .error(place, "`average` mixes pigments, not colors")
                     .help("write `pigment_map` instead of `color_map`"));
@@ -199,7 +202,7 @@ pub(super) fn modifier(
         }
         Word::PigmentMap | Word::DensityMap if (word == Word::DensityMap) == (owner == Owner::Density) => {
             let place = vm.here()?;
-            let average = pigment.field().is_some_and(|field| matches!(field.pattern, Pattern::Average));
+            let average = pigment.field().is_some_and(|field| matches!(*field.pattern, Pattern::Average));
             let map = map::pigments(vm, owner, &default(vm, owner), average)?;
             if !given && pigment.field().is_none() {
                 return Ok(true);
@@ -244,7 +247,7 @@ fn mapped(vm: &Vm<'_>, pigment: &Pigment, word: Word, place: Span) -> Result<Arc
 
 fn check(vm: &Vm<'_>, pigment: &Pigment) -> Result<()> {
     if let PigmentKind::Colors { field, map: None } = &pigment.kind
-        && matches!(field.pattern, Pattern::Average)
+        && matches!(*field.pattern, Pattern::Average)
     {
         return Err(vm
             .error(field.span, "`average` needs a map")

@@ -153,7 +153,7 @@ impl State {
 /// Whether an object, or a member of it, waits for the default texture.
 fn needs_texture(object: &Object) -> bool {
     match &object.shape {
-        Shape::Light(light) => light.looks_like.as_deref().is_some_and(needs_texture),
+        Shape::Light(light) => light.looks_like.as_ref().is_some_and(|looks| needs_texture(looks)),
         Shape::LightGroup(group) => group.objects.iter().any(|object| needs_texture(object)),
         _ => object.texture.is_none(),
     }
@@ -168,15 +168,15 @@ fn dress(object: &mut Object, default: &Texture) {
     match &mut object.shape {
         Shape::Light(light) => {
             if let Some(looks) = &mut Arc::make_mut(light).looks_like {
-                dress(Arc::make_mut(looks), default);
+                dress(Arc::make_mut(looks.inside_mut()), default);
             }
         }
-        Shape::LightGroup(group) => dress_all(&mut Arc::make_mut(group).objects, default),
+        Shape::LightGroup(group) => dress_all(Arc::make_mut(group).objects.inside_mut(), default),
         Shape::Csg(csg) if object.flags.contains(ObjectFlags::TEXTURED) => {
             let cut = object.flags.contains(ObjectFlags::CUTAWAY_TEXTURES)
                 && matches!(csg.operation, CsgOperation::Intersection | CsgOperation::Difference);
             if !cut {
-                dress_all(&mut Arc::make_mut(csg).children, default);
+                dress_all(Arc::make_mut(csg).children.inside_mut(), default);
             }
         }
         _ => object.texture = Some(default.clone()),

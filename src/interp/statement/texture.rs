@@ -40,7 +40,7 @@ pub(in crate::interp) fn blocks(vm: &mut Vm<'_>) -> Result<Texture> {
 
 /// Reads the inside of a `texture`, as it also stands in a `texture_map`.
 pub(super) fn body(vm: &mut Vm<'_>) -> Result<Texture> {
-    vm.nested(vm.last, |vm| inside(vm))
+    vm.nested_value(vm.last, |vm| inside(vm))
 }
 
 fn inside(vm: &mut Vm<'_>) -> Result<Texture> {

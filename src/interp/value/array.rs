@@ -2,6 +2,7 @@
 
 use super::Value;
 use crate::interp::tuple::to_int;
+use crate::scene::depth::Depth;
 
 /// Values in one to five dimensions, all of one kind.
 #[derive(Clone, Debug)]
@@ -11,13 +12,15 @@ pub struct Array {
     elements: Vec<Option<Value>>,
     /// An element that is set, which all others must resemble.
     sample: Option<usize>,
+    /// How many arrays stand in each other, this one among them.
+    depth: u32,
 }
 
 impl Array {
     /// An array of unset elements. The caller has checked that so many fit into memory.
     pub fn new(sizes: Vec<usize>) -> Array {
         let count = sizes.iter().product();
-        Array { sizes, elements: vec![None; count], sample: None }
+        Array { sizes, elements: vec![None; count], sample: None, depth: 1 }
     }
 
     /// How many elements there are over all dimensions.
@@ -43,6 +46,9 @@ impl Array {
             && !matches!(value, Value::Poisoned)
         {
             return Err(format!("this array holds elements like {}, not {}", sample.kind(), value.kind()));
+        }
+        if let Value::Array(inner) = &value {
+            self.depth = self.depth.max(inner.depth + 1);
         }
         let poisoned = matches!(value, Value::Poisoned);
         if let Some(slot) = self.elements.get_mut(index) {
@@ -84,6 +90,12 @@ impl Array {
             index = index * size + at as usize;
         }
         Ok(index)
+    }
+}
+
+impl Depth for Array {
+    fn depth(&self) -> u32 {
+        self.depth
     }
 }
 

@@ -10,7 +10,7 @@ use crate::scene::spline::{Spline, SplineKind};
 pub(super) fn dump(function: &Function) -> Block {
     let head = format!("function({})", function.parameters);
     let block = Block::new(head);
-    match &function.body {
+    match &*function.body {
         FunctionBody::Expression(e) => block.line(expression(e)),
         FunctionBody::Internal(index) => block.line(format!("internal({index})")),
         FunctionBody::Pattern(field) => block.block(Block::new("pattern").extend(pattern::dump(field))),

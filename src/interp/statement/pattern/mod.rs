@@ -163,7 +163,7 @@ fn tiling(vm: &mut Vm<'_>) -> Result<Pattern> {
 
 /// What can be judged only when the whole block has been read.
 pub(super) fn check(vm: &Vm<'_>, field: &Field) -> Result<()> {
-    match &field.pattern {
+    match &*field.pattern {
         Pattern::Pavement(pavement) => pavement::check(vm, pavement, field.span),
         _ => Ok(()),
     }
@@ -208,7 +208,7 @@ pub(super) fn colors(vm: &mut Vm<'_>, pattern: &Pattern, count: usize) -> Result
     let mut colors = pattern.default_colors();
     let mut given = 0;
     while given < count && vm.at_color()? {
-        colors.entries[given].1 = super::color::rgbft(vm)?;
+        colors.entries.inside_mut()[given].1 = super::color::rgbft(vm)?;
         given += 1;
         vm.comma()?;
     }

@@ -122,7 +122,7 @@ pub(in crate::interp::statement) fn option(
 
 /// Reads a setting that one pattern has of its own.
 fn own(vm: &mut Vm<'_>, field: &mut Field, word: Word, place: Span) -> Result<()> {
-    match (&mut field.pattern, word) {
+    match (field.pattern.inside_mut(), word) {
         (Pattern::Agate { turbulence }, Word::AgateTurb) => *turbulence = vm.read_float()? as f32,
         (Pattern::Brick { size, .. }, Word::BrickSize) => *size = vm.read_vector()?,
         (Pattern::Brick { mortar, .. }, Word::Mortar) => *mortar = vm.read_float()? as f32,

@@ -5,27 +5,28 @@ use std::sync::Arc;
 use super::cone;
 use crate::interp::statement::object;
 use crate::interp::{Block, Result, Vm, Word};
+use crate::scene::depth::Nested;
 use crate::scene::shape::{Blob, BlobComponent, BlobKind};
 use crate::scene::{Object, Shape};
 
 /// Reads threshold and components, in any order.
 pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<Shape> {
-    let mut blob = Blob { threshold: 1.0, components: Vec::new() };
+    let (mut threshold, mut components) = (1.0, Vec::new());
     while let Some(word) = vm.peek_word()? {
         match word {
-            Word::Threshold => blob.threshold = vm.after_word(Vm::read_float)?,
-            Word::Sphere => blob.components.push(component(vm, sphere)?),
-            Word::Cylinder => blob.components.push(component(vm, cylinder)?),
-            Word::Component => blob.components.push(vm.after_word(legacy)?),
+            Word::Threshold => threshold = vm.after_word(Vm::read_float)?,
+            Word::Sphere => components.push(component(vm, sphere)?),
+            Word::Cylinder => components.push(component(vm, cylinder)?),
+            Word::Component => components.push(vm.after_word(legacy)?),
             _ => break,
         }
     }
-    if blob.components.is_empty() {
+    if components.is_empty() {
         return Err(vm
             .error(block.span, "this blob has no component")
             .help("give it some, such as `sphere { <0,0,0>, 1, 1 }`"));
     }
-    Ok(Shape::Blob(Arc::new(blob)))
+    Ok(Shape::Blob(Arc::new(Blob { threshold, components: Nested::new(components) })))
 }
 
 fn sphere(vm: &mut Vm<'_>) -> Result<BlobKind> {

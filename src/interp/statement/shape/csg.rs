@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::interp::limits::MOST_OBJECTS;
 use crate::interp::statement::object;
 use crate::interp::{Block, Result, Vm, Word};
+use crate::scene::depth::Nested;
 use crate::scene::shape::{Csg, CsgOperation};
 use crate::scene::{Object, Shape, object::ObjectFlags};
 
@@ -39,16 +40,10 @@ pub(super) fn read(vm: &mut Vm<'_>, block: &Block) -> Result<(Shape, ObjectFlags
         let fault = vm.error(block.span, message);
         return Err(fault.help("copies of copies add up: does a loop double them?"));
     }
-    let depth = 1 + children.iter().map(|child| depth(child)).max().unwrap_or_default();
-    if depth > Csg::DEEPEST {
-        let message =
-            format!("this `{}` is nested more than {} levels deep", block.keyword.text(), Csg::DEEPEST);
-        let fault = vm.error(block.span, message);
-        return Err(fault.help("each holds the one before: does a loop add to it?"));
-    }
     let textured = children.iter().any(|child| child.flags.contains(ObjectFlags::TEXTURED));
     let flags = if textured { ObjectFlags::TEXTURED } else { ObjectFlags::empty() };
-    Ok((Shape::Csg(Arc::new(Csg { operation, children, split_union: true, parts, depth })), flags))
+    let children = Nested::new(children);
+    Ok((Shape::Csg(Arc::new(Csg { operation, children, split_union: true, parts })), flags))
 }
 
 /// How many shapes an object consists of.
@@ -56,14 +51,6 @@ fn parts(object: &Object) -> u64 {
     match &object.shape {
         Shape::Csg(csg) => csg.parts,
         _ => 1,
-    }
-}
-
-/// How many compounds stand in each other in an object.
-fn depth(object: &Object) -> u32 {
-    match &object.shape {
-        Shape::Csg(csg) => csg.depth,
-        _ => 0,
     }
 }
 

@@ -6,6 +6,7 @@ use super::{contour, points};
 use crate::interp::{Result, Vm, Word};
 use crate::math::DVec2;
 use crate::scene::Shape;
+use crate::scene::depth::Nested;
 use crate::scene::shape::{ContourSpline, Csg, CsgOperation, Prism, closing_distance};
 
 /// Reads sweep, spline, heights (sorted) and points.
@@ -30,13 +31,8 @@ pub(super) fn read(vm: &mut Vm<'_>) -> Result<Shape> {
     let open = vm.accept(Word::Open)?;
     if spline != ContourSpline::Linear && !is_closed(spline, &points) {
         vm.warn(place, "this prism is not closed", "it is left out; end each contour where it begins");
-        let nothing = Csg {
-            operation: CsgOperation::Union,
-            children: Vec::new(),
-            split_union: true,
-            parts: 0,
-            depth: 1,
-        };
+        let nothing =
+            Csg { operation: CsgOperation::Union, children: Nested::default(), split_union: true, parts: 0 };
         return Ok(Shape::Csg(Arc::new(nothing)));
     }
     if spline == ContourSpline::Linear && !close_last(&mut points) {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::super::{image, map, pattern, transform};
 use super::{apply, block, keep_bump_depth, layer};
 use crate::interp::{Result, Vm, Word};
+use crate::scene::depth::Nested;
 use crate::scene::pigment::BlendMap;
 use crate::scene::texture::TextureBody;
 use crate::scene::{Field, Pattern, Texture};
@@ -18,6 +19,9 @@ pub(super) fn body(vm: &mut Vm<'_>) -> Result<Option<Texture>> {
         Word::UvMapping => {
             vm.next()?;
             let inner = super::body(vm)?;
+            if matches!(*inner.body, TextureBody::UvMapped(_)) {
+                return Ok(Some(inner));
+            }
             Texture::new(TextureBody::UvMapped(Box::new(inner)))
         }
         _ => match pattern::read(vm, pattern::Owner::Texture)? {
@@ -45,7 +49,7 @@ fn with_field(vm: &mut Vm<'_>, field: Field) -> Result<Texture> {
                 if field.pattern.list_length().is_some() {
                     return Err(map::for_list(vm, word, place));
                 }
-                map = Some(map::textures(vm, matches!(field.pattern, Pattern::Average))?);
+                map = Some(map::textures(vm, matches!(*field.pattern, Pattern::Average))?);
             }
             Word::NoBumpScale => {
                 vm.next()?;
@@ -122,5 +126,5 @@ fn material_map(vm: &mut Vm<'_>) -> Result<Texture> {
     }
     vm.close(inner)?;
     let field = Arc::new(Field::new(inner.span, Pattern::Image(Arc::clone(&image))));
-    modifiers(vm, Texture::new(TextureBody::MaterialMap { field, image, textures }))
+    modifiers(vm, Texture::new(TextureBody::MaterialMap { field, image, textures: Nested::new(textures) }))
 }
