@@ -17,6 +17,7 @@ use crate::scene::object::ObjectFlags;
 use crate::scene::texture::{LegacyFinish, TextureBody};
 use crate::scene::{Object, Shape, Texture};
 use crate::world::extent::Extent;
+use crate::world::narrow;
 use crate::world::object::LeafFlags;
 use crate::world::shape::Shape as _;
 use crate::world::{Leaf, Member, RayKind};
@@ -148,7 +149,7 @@ impl Flattener<'_> {
         let extent = self.clipped(Extent { bounds, beyond: inverted }, limits.as_deref());
         self.flat.spans.push(object.span);
         let transform = transform.filter(|_| settled.is_none());
-        self.flat.parts.leaves.push(Leaf {
+        let mut leaf = Leaf {
             primitive: settled.unwrap_or(compiled.primitive),
             reach: reach(extent, transform.as_deref()),
             transform,
@@ -163,8 +164,23 @@ impl Flattener<'_> {
             interior: own.interior.unwrap_or(0),
             lights: own.lights,
             origin: self.flat.spans.len() as u32 - 1,
-        });
+        };
+        leaf.extent.bounds = self.narrowed(&leaf);
+        self.flat.parts.leaves.push(leaf);
         Some(Member::Leaf(self.flat.parts.leaves.len() as u32 - 1))
+    }
+
+    /// A box around what clips leave of a leaf.
+    fn narrowed(&self, leaf: &Leaf) -> Bounds {
+        let clips = leaf.limits.as_ref().map_or(&[][..], |limits| &limits.clips);
+        if clips.is_empty() || leaf.extent.beyond {
+            return leaf.extent.bounds;
+        }
+        let clips = clips.iter().filter_map(|clip| match *clip {
+            Member::Leaf(number) => Some(self.flat.parts.leaf(number)),
+            Member::Group(_) => None,
+        });
+        narrow::common(std::iter::once(leaf).chain(clips), leaf.extent.bounds)
     }
 
     /// The primitive of an object in its own space, made to be seen from that around it.

@@ -91,7 +91,10 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         S::Triangle(triangle) => Triangle::new(triangle.corners, triangle.normals)
             .map_or_else(Compiled::nothing, |triangle| Primitive::Triangle(triangle).into()),
         S::Polygon(points) => Compiled::rare(Polygon::new(points)),
-        S::Quadric(q) => Compiled::rare(Some(Quadric::new(q.squares, q.products, q.linear, q.constant))),
+        S::Quadric(q) => {
+            let quadric = Quadric::new(q.squares, q.products, q.linear, q.constant);
+            Primitive::Quadric(Arc::new(quadric)).into()
+        }
         S::Mesh(mesh) => triangles(mesh),
         S::Poly(poly) => Compiled::rare(Poly::new(poly.order, &poly.coefficients)),
         S::BicubicPatch(patch) => bicubic_patch(patch, 1.0),

@@ -210,7 +210,8 @@ pub fn uniform(index: usize) -> f64 {
 pub fn cell_point(cell: [i32; 3]) -> DVec3 {
     let table: &[f64] = &UNIFORM;
     let h = cell_hash(cell);
-    DVec3::from_slice(&table[h..h + 3])
+    let three = &table[h..h + 3];
+    DVec3::new(three[0], three[1], three[2])
 }
 
 /// A centre of concentric waves.

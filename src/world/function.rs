@@ -91,7 +91,10 @@ impl Function {
                 1
             }
             Body::Pigment(pigment) => {
-                *components = pigment.color(&Sample::at(point(arguments))).to_array().map(f64::from);
+                let color = pigment.color(&Sample::at(point(arguments))).to_array();
+                for place in 0..5 {
+                    components[place] = f64::from(color[place]);
+                }
                 5
             }
             Body::Transform(transform) => {

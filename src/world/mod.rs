@@ -11,6 +11,7 @@ pub mod image;
 pub mod interior;
 pub mod light;
 pub mod media;
+pub mod narrow;
 pub mod needs;
 pub mod object;
 pub mod parts;

@@ -2,6 +2,7 @@
 
 use super::accel::Accel;
 use super::extent::Extent;
+use super::narrow;
 use super::object::{Leaf, LeafFlags, Limits, Member};
 use crate::options::Accelerator;
 
@@ -67,10 +68,17 @@ impl Group {
     /// Combines members that are in `parts` already.
     pub fn new(operation: Operation, members: Vec<Member>, parts: &Parts, accelerator: Accelerator) -> Self {
         let extents = members.iter().map(|&member| *parts.extent(member));
-        let extent = match operation {
+        let mut extent = match operation {
             Operation::Intersection => Extent::intersection(extents),
             Operation::Union | Operation::Merge => Extent::union(extents),
         };
+        if operation == Operation::Intersection && !extent.beyond {
+            let leaves = members.iter().filter_map(|member| match *member {
+                Member::Leaf(number) => Some(parts.leaf(number)),
+                Member::Group(_) => None,
+            });
+            extent.bounds = narrow::common(leaves, extent.bounds);
+        }
         let is_finite = |member: Member| parts.extent(member).bounds.is_finite();
         let decides = |member: Member| parts.extent(member).beyond == operation.decisive();
         let is_core = |&&member: &&Member| match member {

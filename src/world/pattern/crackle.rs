@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use crate::math::DVec3;
 use crate::math::noise::{EPSILON, cell_point, noise, vector_noise};
+use crate::math::wide::widest;
 
 /// `crackle`.
 #[derive(Clone, Copy, Debug)]
@@ -37,8 +38,8 @@ pub enum Metric {
     Square,
     /// `metric 1`: absolute values.
     Absolute,
-    /// Any other whole power up to 8.
-    Whole(i32),
+    /// Another multiple of a half up to 8: a whole power and, of an odd one, a root besides.
+    Halves(u32),
     /// Any other power.
     Power(f64),
 }
@@ -49,31 +50,46 @@ impl Metric {
 
     /// The metric for the number a user writes.
     pub fn new(metric: f64) -> Self {
+        let halves = 2.0 * metric;
         match metric {
             2.0 => Self::Square,
             1.0 => Self::Absolute,
-            whole if whole > 0.0 && whole <= Self::LARGEST_WHOLE && whole.fract() == 0.0 => {
-                Self::Whole(whole as i32)
+            _ if halves > 0.0 && metric <= Self::LARGEST_WHOLE && halves.fract() == 0.0 => {
+                Self::Halves(halves as u32)
             }
             other => Self::Power(other),
         }
     }
 
-    fn sum(self, d: DVec3) -> f64 {
+    /// The power.
+    fn exponent(self) -> f64 {
         match self {
-            Self::Square => d.x * d.x + d.y * d.y + d.z * d.z,
-            Self::Absolute => d.x.abs() + d.y.abs() + d.z.abs(),
-            Self::Whole(m) => d.x.abs().powi(m) + d.y.abs().powi(m) + d.z.abs().powi(m),
-            Self::Power(m) => d.x.abs().powf(m) + d.y.abs().powf(m) + d.z.abs().powf(m),
+            Self::Square => 2.0,
+            Self::Absolute => 1.0,
+            Self::Halves(halves) => f64::from(halves) / 2.0,
+            Self::Power(m) => m,
         }
+    }
+
+    /// What a difference of coordinates adds to the sum.
+    fn part(self, d: f64) -> f64 {
+        match self {
+            Self::Square => d * d,
+            Self::Absolute => d.abs(),
+            Self::Halves(halves) => power_of_halves(d.abs(), halves),
+            Self::Power(m) => d.abs().powf(m),
+        }
+    }
+
+    fn sum(self, d: DVec3) -> f64 {
+        self.part(d.x) + self.part(d.y) + self.part(d.z)
     }
 
     fn distance(self, sum: f64) -> f64 {
         match self {
             Self::Square => sum.sqrt(),
             Self::Absolute => sum,
-            Self::Whole(m) => sum.powf(1.0 / f64::from(m)),
-            Self::Power(m) => sum.powf(1.0 / m),
+            Self::Halves(_) | Self::Power(_) => sum.powf(1.0 / self.exponent()),
         }
     }
 
@@ -82,42 +98,72 @@ impl Metric {
             _ if offset == 0.0 => 0.0,
             Self::Square => offset * offset,
             Self::Absolute => offset,
-            Self::Whole(m) => offset.powi(m),
-            Self::Power(m) => offset.powf(m),
+            Self::Halves(_) | Self::Power(_) => offset.powf(self.exponent()),
         }
     }
 
-    /// Whether a seed in the cell at `offset` from the cell of a point at `inside` (its place in
-    /// its own cell, 0 … 1) could be as near as `limit`. Only squares are worth the exact question.
-    fn may_reach(self, offset: [i32; 3], inside: DVec3, limit: f64) -> bool {
-        let gap = |o: i32, f: f64| match o {
-            0 => 0.0,
-            1.. => f64::from(o) - f,
-            _ => f - f64::from(o + 1),
-        };
-        let d = DVec3::new(gap(offset[0], inside.x), gap(offset[1], inside.y), gap(offset[2], inside.z));
-        let least = match self {
-            Self::Square => d.length_squared(),
-            Self::Absolute => d.element_sum(),
-            Self::Whole(m) => d.max_element().powi(m),
-            Self::Power(_) => return true,
-        };
-        // A little slack keeps rounding from hiding a seed on the very boundary.
-        least <= limit * (1.0 + 1e-9) + 1e-9
+    /// Whether sums grow with distances.
+    fn grows(self) -> bool {
+        self.exponent() > 0.0
     }
 
     /// Whether no seed two cells away, a whole cell between, can be as near as `limit`.
     fn ends_nearby(self, limit: f64) -> bool {
-        let grows = match self {
-            Self::Power(m) => m > 0.0,
-            _ => true,
-        };
-        grows && limit < 1.0 - 1e-9
+        self.grows() && limit < 1.0 - 1e-9
+    }
+}
+
+/// A number that isn't negative to so many halves, 16 at most.
+#[inline(always)]
+fn power_of_halves(x: f64, halves: u32) -> f64 {
+    let square = x * x;
+    let fourth = square * square;
+    let factor = |bit: u32, factor: f64| if halves & bit == 0 { 1.0 } else { factor };
+    let whole = factor(2, x) * factor(4, square) * factor(8, fourth) * factor(16, fourth * fourth);
+    whole * factor(1, x.sqrt())
+}
+
+/// The least that seeds of cells may add to sums: for each axis by the step to the cell, from -2 to 2.
+struct Least([[f64; 5]; 3]);
+
+impl Least {
+    /// For a point at `inside` (its place in its own cell, 0 … 1).
+    fn new(metric: Metric, inside: DVec3) -> Self {
+        let mut least = [[0.0; 5]; 3];
+        if metric.grows() {
+            let inside = inside.to_array();
+            for axis in 0..3 {
+                let gaps = [1.0 + inside[axis], inside[axis], 0.0, 1.0 - inside[axis], 2.0 - inside[axis]];
+                for step in [0, 1, 3, 4] {
+                    least[axis][step] = metric.part(gaps[step]);
+                }
+            }
+        }
+        Self(least)
+    }
+
+    /// Whether a seed in the cell at `offset` could be as near as `limit`.
+    fn may_reach(&self, offset: [i32; 3], limit: f64) -> bool {
+        let at = |axis: usize| self.0[axis][(offset[axis] + 2) as usize % 5];
+        Self::is_within(at(0) + at(1) + at(2), limit)
+    }
+
+    /// The same for any cell at `step` along one axis.
+    fn may_any_reach(&self, axis: usize, step: i32, limit: f64) -> bool {
+        Self::is_within(self.0[axis][(step + 2) as usize % 5], limit)
+    }
+
+    /// A little slack keeps rounding from hiding a seed on the very boundary.
+    fn is_within(least: f64, limit: f64) -> bool {
+        least <= limit * (1.0 + 1e-9) + 1e-9
     }
 }
 
 /// So many of the [`NEIGHBOURS`] share a corner with the cell itself.
 const ADJACENT: usize = 27;
+
+/// Room for as many, in whole registers.
+const PLACES: usize = 28;
 
 /// The cells whose seeds may be among the nearest three: at most one step of two. The nearest cells come
 /// first, so that the far ones can be passed over.
@@ -129,27 +175,67 @@ static NEIGHBOURS: LazyLock<Vec<[i32; 3]>> = LazyLock::new(|| {
     near
 });
 
-/// The seeds of a cell and those around it, in the order of the [`NEIGHBOURS`].
+/// The seeds of a cell and those around it, in the order of the [`NEIGHBOURS`], coordinate by coordinate.
 struct Seeds {
     cell: [i32; 3],
-    places: [DVec3; ADJACENT],
+    x: [f64; PLACES],
+    y: [f64; PLACES],
+    z: [f64; PLACES],
 }
 
 thread_local! {
     /// Those around the last point asked for: the next one is mostly in the same cell.
-    static SEEDS: RefCell<Seeds> = RefCell::new(Seeds::of([0; 3]));
+    static SEEDS: RefCell<Option<Seeds>> = const { RefCell::new(None) };
 }
 
 impl Seeds {
     fn of(cell: [i32; 3]) -> Self {
-        Self { cell, places: std::array::from_fn(|number| seed(cell, NEIGHBOURS[number])) }
+        let nowhere = [f64::INFINITY; PLACES];
+        let mut seeds = Self { cell, x: nowhere, y: nowhere, z: nowhere };
+        for (place, &offset) in NEIGHBOURS[..ADJACENT].iter().enumerate() {
+            [seeds.x[place], seeds.y[place], seeds.z[place]] = seed(cell, offset).to_array();
+        }
+        seeds
+    }
+
+    /// The three nearest to a point.
+    #[inline(always)]
+    fn nearest(&self, p: DVec3, metric: Metric) -> Nearest {
+        let sums = match metric {
+            Metric::Square => self.sums(p, |d| d * d),
+            Metric::Absolute => self.sums(p, f64::abs),
+            Metric::Halves(halves) if halves % 2 == 0 => {
+                self.sums(p, |d| power_of_halves(d.abs(), halves & !1))
+            }
+            Metric::Halves(halves) => self.sums(p, |d| power_of_halves(d.abs(), halves)),
+            Metric::Power(m) => self.sums(p, |d| d.abs().powf(m)),
+        };
+        let mut nearest = Nearest { sums: [f64::INFINITY; 3], seed: DVec3::ZERO };
+        for place in 0..ADJACENT {
+            if sums[place] < nearest.sums[2] {
+                nearest.meet(DVec3::new(self.x[place], self.y[place], self.z[place]), sums[place]);
+            }
+        }
+        nearest
+    }
+
+    /// The sums for a point. Written out: what is called for each place would not fill wide registers.
+    #[inline(always)]
+    fn sums(&self, p: DVec3, part: impl Fn(f64) -> f64) -> [f64; PLACES] {
+        let mut sums = [0.0; PLACES];
+        for place in 0..PLACES {
+            sums[place] = part(p.x - self.x[place]) + part(p.y - self.y[place]) + part(p.z - self.z[place]);
+        }
+        sums
     }
 }
 
 /// The seed of the cell at `offset` from another.
+#[inline]
 fn seed(cell: [i32; 3], offset: [i32; 3]) -> DVec3 {
-    let corner = std::array::from_fn(|axis| cell[axis].wrapping_add(offset[axis]));
-    DVec3::from_array(corner.map(f64::from)) + cell_point(corner)
+    let [x, y, z] =
+        [cell[0].wrapping_add(offset[0]), cell[1].wrapping_add(offset[1]), cell[2].wrapping_add(offset[2])];
+    DVec3::new(f64::from(x), f64::from(y), f64::from(z)) + cell_point([x, y, z])
 }
 
 /// The three least sums and the seed of the least.
@@ -159,51 +245,75 @@ struct Nearest {
 }
 
 impl Nearest {
+    #[inline(always)]
     fn meet(&mut self, seed: DVec3, sum: f64) {
         let [a, b, c] = self.sums;
-        if sum >= c {
-            return;
-        }
         if sum < a {
             self.sums = [sum, a, b];
             self.seed = seed;
         } else if sum < b {
             self.sums = [a, sum, b];
-        } else {
+        } else if sum < c {
             self.sums[2] = sum;
+        }
+    }
+
+    /// Meets the seeds of the cells two steps away along one axis.
+    #[inline(never)]
+    fn meet_far(&mut self, p: DVec3, corner: DVec3, cell: [i32; 3], metric: Metric) {
+        let least = Least::new(metric, p - corner);
+        for (axis, step) in [(0, -2), (0, 2), (1, -2), (1, 2), (2, -2), (2, 2)] {
+            if !least.may_any_reach(axis, step, self.sums[2]) {
+                continue;
+            }
+            for (one, other) in (-1..=1).flat_map(|one| (-1..=1).map(move |other| (one, other))) {
+                let mut offset = [step; 3];
+                (offset[(axis + 1) % 3], offset[(axis + 2) % 3]) = (one, other);
+                if least.may_reach(offset, self.sums[2]) {
+                    let seed = seed(cell, offset);
+                    self.meet(seed, metric.sum(p - seed));
+                }
+            }
         }
     }
 }
 
 impl Crackle {
     pub(super) fn value(&self, p: DVec3) -> f64 {
-        let corner = (p - EPSILON).floor();
-        let cell = corner.to_array().map(|c| c as i32);
-        let mut nearest = Nearest { sums: [f64::INFINITY; 3], seed: DVec3::ZERO };
         SEEDS.with_borrow_mut(|seeds| {
-            if seeds.cell != cell {
-                *seeds = Seeds::of(cell);
-            }
-            let sums = seeds.places.map(|seed| self.metric.sum(p - seed));
-            for (seed, sum) in seeds.places.into_iter().zip(sums) {
-                nearest.meet(seed, sum);
-            }
-        });
+            widest(
+                #[inline(always)]
+                || self.value_by(p, seeds),
+            )
+        })
+    }
+
+    /// The same, with seeds from which to go on.
+    #[inline(always)]
+    fn value_by(&self, p: DVec3, seeds: &mut Option<Seeds>) -> f64 {
+        let corner = (p - EPSILON).floor();
+        let cell = [corner.x as i32, corner.y as i32, corner.z as i32];
+        let seeds = match seeds {
+            Some(seeds) if seeds.cell == cell => seeds,
+            _ => seeds.insert(Seeds::of(cell)),
+        };
+        let mut nearest = seeds.nearest(p, self.metric);
         if !self.metric.ends_nearby(nearest.sums[2]) {
-            for &offset in &NEIGHBOURS[ADJACENT..] {
-                if self.metric.may_reach(offset, p - corner, nearest.sums[2]) {
-                    let seed = seed(cell, offset);
-                    nearest.meet(seed, self.metric.sum(p - seed));
-                }
-            }
+            nearest.meet_far(p, corner, cell, self.metric);
         }
         let Nearest { sums, seed: nearest } = nearest;
         if let Some(generator) = self.solid {
             return noise(generator, nearest);
         }
         let offset = self.metric.offset(self.offset);
-        let [a, b, c] = sums.map(|sum| self.metric.distance(sum + offset));
-        (self.form.x * a + self.form.y * b + self.form.z * c).clamp(0.0, 1.0)
+        let (form, mut sum) = (self.form.to_array(), 0.0);
+        for place in 0..3 {
+            // What has no share needs no root.
+            if form[place] != 0.0 {
+                sum += form[place] * self.metric.distance(sums[place] + offset);
+            }
+        }
+        sum.clamp(0.0, 1.0)
     }
 }
 
@@ -227,12 +337,12 @@ impl Facets {
 
     fn nearest(&self, q: DVec3) -> DVec3 {
         let mut best = (f64::INFINITY, DVec3::ZERO);
-        let inside = q - (q - EPSILON).floor();
+        let least = Least::new(self.metric, q - (q - EPSILON).floor());
         for (number, &offset) in NEIGHBOURS.iter().enumerate() {
             if number == ADJACENT && self.signless() && self.metric.ends_nearby(best.0) {
                 break;
             }
-            if self.signless() && !self.metric.may_reach(offset, inside, best.0) {
+            if self.signless() && !least.may_reach(offset, best.0) {
                 continue;
             }
             let corner = (q + DVec3::from_array(offset.map(f64::from)) - EPSILON).floor();

@@ -100,7 +100,7 @@ impl Fractal {
     pub(super) fn value(&self, p: DVec3) -> f64 {
         // The loop is made for each step, which is a few operations.
         match &self.iteration {
-            Iteration::Power(2) => self.iterate(p, |z, c| square(z) + c),
+            Iteration::Power(2) => self.iterate_squares(p),
             step => self.iterate(p, |z, c| step.step(z, c)),
         }
     }
@@ -126,6 +126,40 @@ impl Fractal {
             }
         }
         self.inside(nearest, z)
+    }
+
+    /// The same for z² + c, number by number: each step waits for the one before, and pairs of numbers that
+    /// are put together and taken apart would make it wait longer. What comes back to the very same point goes
+    /// round for ever, so whole rounds need not be gone.
+    fn iterate_squares(&self, p: DVec3) -> f64 {
+        let (mut a, mut b) = (p.x, p.y);
+        let c = self.julia.unwrap_or(DVec2::new(a, b));
+        let (mut a2, mut b2) = (a * a, b * b);
+        let mut nearest = a2 + b2;
+        let mut mark = (a, b);
+        let (mut marked, mut next_mark) = (0, 32);
+        let mut count = 0;
+        while count < self.iterations {
+            b = 2.0 * a * b + c.y;
+            // Not a2 - b2 + c.x, which is the same but would be paired with the line above.
+            a = c.x - (b2 - a2);
+            (a2, b2) = (a * a, b * b);
+            let square = a2 + b2;
+            if square > 4.0 {
+                return self.outside(count, DVec2::new(a, b));
+            }
+            nearest = if square < nearest { square } else { nearest };
+            count += 1;
+            if (a, b) == mark {
+                let round = count - marked;
+                count = self.iterations - (self.iterations - count) % round;
+                mark = (f64::NAN, f64::NAN);
+            } else if count == next_mark {
+                (mark, marked) = ((a, b), count);
+                next_mark = next_mark.saturating_mul(2);
+            }
+        }
+        self.inside(nearest, DVec2::new(a, b))
     }
 
     fn outside(&self, count: u32, z: DVec2) -> f64 {

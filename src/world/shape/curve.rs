@@ -60,6 +60,27 @@ impl Segment {
         if w == 1.0 { self.end } else { self.c[0] + w * (self.c[1] + w * (self.c[2] + w * self.c[3])) }
     }
 
+    /// Whether it is a straight line on which w counts the way.
+    pub fn is_straight(&self) -> bool {
+        self.c[2] == DVec2::ZERO && self.c[3] == DVec2::ZERO
+    }
+
+    /// Whether a line passes the box around: all its points are on one side, by the value of `along` times
+    /// their coordinates plus `offset`.
+    pub(super) fn is_passed_by(&self, along: DVec2, offset: f64) -> bool {
+        let (low, high) = (along * self.hull[0], along * self.hull[1]);
+        let middle = 0.5 * (low + high);
+        let reach = 0.5 * (high - low).abs().element_sum();
+        let noise = 1e-14 * (middle.abs().element_sum() + reach + offset.abs());
+        (middle.x + middle.y + offset).abs() > reach + noise
+    }
+
+    /// Where on a straight one a linear function of the points, of which both ends are given, changes
+    /// its sign.
+    pub(super) fn straight_change(from: f64, to: f64) -> Option<f64> {
+        ((from > 0.0) != (to > 0.0)).then(|| from / (from - to))
+    }
+
     /// The derivative at `w`.
     pub fn slope(&self, w: f64) -> DVec2 {
         self.c[1] + w * (2.0 * self.c[2] + 3.0 * w * self.c[3])
@@ -136,6 +157,10 @@ impl Curve {
                 return false;
             }
             let above = |y: f64| y - p.y;
+            if piece.segment.is_straight() {
+                let w = Segment::straight_change(above(from.1), above(to.1));
+                return piece.segment.hull[0].x > p.x || w.is_some_and(|w| piece.segment.point(w).x > p.x);
+            }
             let height = |w: f64| above(piece.segment.point(w).y);
             piece.segment.hull[0].x > p.x
                 || piece.segment.point(between((from.0, above(from.1)), (to.0, above(to.1)), height)).x > p.x
@@ -149,13 +174,31 @@ impl Curve {
 /// segments that share it, so that crossings stay in pairs.
 pub(super) fn sign_changes(seeds: &[f64], value: impl Fn(f64) -> f64, mut found: impl FnMut(f64)) {
     let mut from = (0.0, value(0.0));
-    let middles = seeds.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-    for w in middles.chain([1.0]) {
+    for (place, &seed) in seeds.iter().enumerate() {
+        let w = seeds.get(place + 1).map_or(1.0, |next| 0.5 * (seed + next));
         let to = (w, value(w));
+        if (from.1 > 0.0) != (to.1 > 0.0) {
+            found(change_near(seed, from, to, &value));
+        }
+        from = to;
+    }
+    if seeds.is_empty() {
+        let to = (1.0, value(1.0));
         if (from.1 > 0.0) != (to.1 > 0.0) {
             found(between(from, to, &value));
         }
-        from = to;
+    }
+}
+
+/// Where between two points the sign changes, most likely next to `seed`.
+fn change_near(seed: f64, from: (f64, f64), to: (f64, f64), value: &impl Fn(f64) -> f64) -> f64 {
+    /// How exact seeds are that belong to single roots, and more.
+    const NEXT: f64 = 1e-10;
+    let at = |w: f64| (w, value(w));
+    let (low, high) = (at((seed - NEXT).max(from.0)), at((seed + NEXT).min(to.0)));
+    match (low.1 > 0.0) != (high.1 > 0.0) {
+        true => between(low, high, value),
+        false => between(from, to, value),
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use smallvec::SmallVec;
+
 use super::curve::{Curve, Segment, sign_changes};
 use super::{Crossing, Shape};
 use crate::math::roots::roots_between;
@@ -66,9 +68,9 @@ impl Passing {
             );
             return;
         }
-        let mut seeds = seeds.as_slice().to_vec();
-        seeds.extend(roots_between::<4>(&height, 0.0, 1.0).as_slice());
-        seeds.sort_by(f64::total_cmp);
+        let mut seeds: SmallVec<[f64; 11]> = SmallVec::from_slice(seeds.as_slice());
+        seeds.extend_from_slice(roots_between::<4>(&height, 0.0, 1.0).as_slice());
+        seeds.sort_unstable_by(f64::total_cmp);
         for branch in [-1.0, 1.0] {
             sign_changes(
                 &seeds,

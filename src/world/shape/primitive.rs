@@ -8,6 +8,7 @@ use super::cylinder::Cylinder;
 use super::disc::Disc;
 use super::mesh::Mesh;
 use super::plane::Plane;
+use super::quadric::Quadric;
 use super::sphere::Sphere;
 use super::stretch::Stretch;
 use super::torus::Torus;
@@ -29,6 +30,7 @@ pub enum Primitive {
     Torus(Torus),
     Triangle(Triangle),
     Mesh(Arc<Mesh>),
+    Quadric(Arc<Quadric>),
     /// The rare kinds.
     Other(Arc<dyn Shape>),
 }
@@ -40,6 +42,7 @@ impl Primitive {
             Self::Sphere(_) | Self::Box(_) | Self::Plane(_) => true,
             Self::Cylinder(cylinder) => !cylinder.open,
             Self::Cone(cone) => cone.is_convex(),
+            Self::Quadric(quadric) => quadric.is_convex(),
             _ => false,
         }
     }
@@ -84,6 +87,7 @@ impl Primitive {
             Self::Plane(plane) => Some(plane.stretch(ray)),
             Self::Cylinder(cylinder) if !cylinder.open => Some(cylinder.stretch(ray)),
             Self::Cone(cone) if cone.is_convex() => Some(cone.stretch(ray)),
+            Self::Quadric(quadric) if quadric.is_convex() => Some(quadric.stretch(ray)),
             _ => None,
         }
     }
@@ -101,6 +105,7 @@ macro_rules! each {
             Self::Torus($shape) => $call,
             Self::Triangle($shape) => $call,
             Self::Mesh($shape) => $call,
+            Self::Quadric($shape) => $call,
             Self::Other($shape) => $call,
         }
     };

@@ -1,6 +1,6 @@
 //! `prism` (docs/spec/primitives.md 6.3).
 
-use super::curve::{Curve, sign_changes};
+use super::curve::{Curve, Segment, sign_changes};
 use super::stretch::Stretch;
 use super::{Crossing, Shape};
 use crate::math::roots::roots_between;
@@ -51,30 +51,36 @@ impl Prism {
             return;
         }
         let side = |p: DVec2| p.dot(flat(line)) + offset;
+        let along = flat(line);
+        let distance = |w: f64, segment: &Segment| {
+            let on = segment.point(w);
+            if self.conic {
+                // Where the ray is parallel to the line from the apex through the outline's point.
+                let through = DVec3::new(on.x, 1.0, on.y);
+                let across = d.cross(through);
+                -o.cross(through).dot(across) / across.length_squared()
+            } else {
+                (on - flat(o)).dot(flat(d)) / flat(d).length_squared()
+            }
+        };
         for (part, segment) in (ENDS..).zip(self.outline.segments()) {
-            let [low, high] = segment.hull();
-            let corners = [low, high, DVec2::new(low.x, high.y), DVec2::new(high.x, low.y)].map(side);
-            if corners.iter().all(|s| *s > 0.0) || corners.iter().all(|s| *s < 0.0) {
+            if segment.is_passed_by(along, offset) {
                 continue;
             }
-            let mut cubic = segment.polynomial(|p| p.dot(flat(line)));
+            if segment.is_straight() {
+                let ends = [0.0, 1.0].map(|w| side(segment.point(w)));
+                if let Some(w) = Segment::straight_change(ends[0], ends[1]) {
+                    found(distance(w, segment), part, w);
+                }
+                continue;
+            }
+            let mut cubic = segment.polynomial(|p| p.dot(along));
             cubic[0] += offset;
             let seeds = roots_between::<4>(&cubic, 0.0, 1.0);
             sign_changes(
                 seeds.as_slice(),
                 |w| side(segment.point(w)),
-                |w| {
-                    let on = segment.point(w);
-                    let t = if self.conic {
-                        // Where the ray is parallel to the line from the apex through the outline's point.
-                        let through = DVec3::new(on.x, 1.0, on.y);
-                        let across = d.cross(through);
-                        -o.cross(through).dot(across) / across.length_squared()
-                    } else {
-                        (on - flat(o)).dot(flat(d)) / flat(d).length_squared()
-                    };
-                    found(t, part, w);
-                },
+                |w| found(distance(w, segment), part, w),
             );
         }
     }
@@ -152,7 +158,6 @@ impl Shape for Prism {
 #[cfg(test)]
 mod tests {
     use super::super::battery::{battery, table};
-    use super::super::curve::Segment;
     use super::*;
 
     fn points(all: &[[f64; 2]]) -> Vec<DVec2> {

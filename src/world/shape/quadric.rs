@@ -1,5 +1,6 @@
 //! `quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }` (docs/spec/primitives.md 3.8).
 
+use super::stretch::Stretch;
 use super::{Crossing, Shape};
 use crate::math::{Bounds, DMat3, DVec3, roots};
 use crate::world::{Range, Ray};
@@ -15,6 +16,8 @@ pub struct Quadric {
     bounds: Bounds,
     /// POV-Ray bounds only what has no products.
     extent: Bounds,
+    /// Whether it is known that all lines are inside on one stretch: an ellipsoid, a cylinder, a paraboloid.
+    convex: bool,
 }
 
 impl Quadric {
@@ -29,7 +32,9 @@ impl Quadric {
         let inverse = matrix.inverse();
         let center = -0.5 * (inverse * linear);
         let center = if center.is_finite() { center } else { DVec3::ZERO };
-        let quadric = Self { matrix, linear, constant, center, bounds: Bounds::ALL, extent: Bounds::ALL };
+        let (bounds, extent) = (Bounds::ALL, Bounds::ALL);
+        let convex = products == DVec3::ZERO && squares.min_element() >= 0.0;
+        let quadric = Self { matrix, linear, constant, center, bounds, extent, convex };
         let bounds = quadric.ellipsoid_bounds(inverse);
         let extent = if products == DVec3::ZERO { bounds } else { Bounds::ALL };
         Self { bounds, extent, ..quadric }
@@ -73,12 +78,124 @@ impl Quadric {
         found.map(|t| shift + self.polish(&ray, t))
     }
 
+    /// Whether [`Quadric::stretch`] knows it.
+    pub(super) fn is_convex(&self) -> bool {
+        self.convex
+    }
+
+    /// Where a line is inside of one that is convex.
+    pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
+        let [one, other] = self.hits(ray);
+        if !one.is_nan() {
+            return Stretch::new(one.min(other), 0, one.max(other), 0);
+        }
+        // Without roots a line along which nothing changes is inside all along, or not at all.
+        let along = ray.direction.dot(self.matrix * ray.direction) == 0.0;
+        (along && self.inside(ray.origin)).then_some(Stretch::LINE)
+    }
+
     /// One Newton step where it is smaller than what it corrects.
     fn polish(&self, ray: &Ray, t: f64) -> f64 {
         let p = ray.at(t);
         let step = self.value(p).0 / self.gradient(p).dot(ray.direction);
         if step.abs() < 1e-6 * t.abs() { t - step } else { t }
     }
+}
+
+impl Quadric {
+    /// A box around the part of the inside that is in `within`, if only that.
+    pub(in crate::world) fn narrowed(&self, within: Bounds) -> Bounds {
+        let mut bounds = within;
+        // What bounds one axis may help to bound the next.
+        for axis in [0, 1, 2, 0, 1] {
+            let [low, high] = self.span(axis, bounds);
+            bounds.min[axis] = bounds.min[axis].max(low);
+            bounds.max[axis] = bounds.max[axis].min(high);
+        }
+        bounds
+    }
+
+    /// From where to where along an axis the part of the inside is that is in `within`: the roots of
+    /// a x² + b x + c for the least c and the extreme values of b that the other two coordinates give.
+    fn span(&self, axis: usize, within: Bounds) -> [f64; 2] {
+        let others = [(axis + 1) % 3, (axis + 2) % 3];
+        let mut rest = (self.matrix, self.linear, self.constant);
+        for other in others {
+            let endless = within.min[other] == f64::NEG_INFINITY || within.max[other] == f64::INFINITY;
+            if endless && rest.0.col(other)[other] > 0.0 {
+                rest = least_along(rest, other);
+            }
+        }
+        let (matrix, linear, constant) = rest;
+        let side = |other: usize| [within.min[other], within.max[other]];
+        let mut b = [linear[axis]; 2];
+        let mut c = constant;
+        for other in others {
+            let [low, high] = scaled(2.0 * matrix.col(axis)[other], side(other));
+            b = [b[0] + low, b[1] + high];
+            c += least_value(matrix.col(other)[other], linear[other], side(other));
+        }
+        let [low, high] = scaled(2.0 * matrix.col(others[0])[others[1]], side(others[0]));
+        c += scaled(low, side(others[1]))[0].min(scaled(high, side(others[1]))[0]);
+        let a = matrix.col(axis)[axis];
+        let reach = if a > 0.0 {
+            let root = (b[0] * b[0]).max(b[1] * b[1]) - 4.0 * a * c;
+            let root = root.max(0.0).sqrt();
+            [(-b[1] - root) / (2.0 * a), (-b[0] + root) / (2.0 * a)]
+        } else if a == 0.0 && b[0] > 0.0 {
+            [f64::NEG_INFINITY, (-c / b[0]).max(-c / b[1])]
+        } else if a == 0.0 && b[1] < 0.0 {
+            [(-c / b[0]).min(-c / b[1]), f64::INFINITY]
+        } else {
+            [f64::NAN; 2]
+        };
+        // More than all rounding, also that of terms that cancel.
+        let size = |x: f64| if x.is_finite() { x.abs() } else { 0.0 };
+        let room = 1e-6 * (size(reach[0]) + size(reach[1]));
+        let bound = |x: f64, room: f64, none: f64| if x.is_finite() { x + room } else { none };
+        [bound(reach[0], -room, f64::NEG_INFINITY), bound(reach[1], room, f64::INFINITY)]
+    }
+}
+
+/// The function's least values along an axis, as a function of the other two coordinates.
+fn least_along((matrix, linear, constant): (DMat3, DVec3, f64), axis: usize) -> (DMat3, DVec3, f64) {
+    let column = matrix.col(axis);
+    let (square, slope) = (column[axis], linear[axis]);
+    let across = DMat3::from_cols(column * column.x, column * column.y, column * column.z);
+    let mut matrix = matrix - across * square.recip();
+    let mut linear = linear - column * (slope / square);
+    // Exactly, not but for rounding.
+    for other in 0..3 {
+        matrix.col_mut(axis)[other] = 0.0;
+        matrix.col_mut(other)[axis] = 0.0;
+    }
+    linear[axis] = 0.0;
+    (matrix, linear, constant - slope * slope / (4.0 * square))
+}
+
+/// The products of a number and those of an interval; nothing times infinity is nothing.
+fn scaled(by: f64, [low, high]: [f64; 2]) -> [f64; 2] {
+    match by {
+        0.0 => [0.0; 2],
+        _ if by > 0.0 => [by * low, by * high],
+        _ => [by * high, by * low],
+    }
+}
+
+/// The least value of `square x² + slope x` in an interval.
+fn least_value(square: f64, slope: f64, [low, high]: [f64; 2]) -> f64 {
+    let at = |x: f64| {
+        if square == 0.0 {
+            scaled(slope, [x, x])[0]
+        } else if x.is_infinite() {
+            square * f64::INFINITY
+        } else {
+            x * (square * x + slope)
+        }
+    };
+    let middle = -slope / (2.0 * square);
+    let ends = at(low).min(at(high));
+    if square > 0.0 && low < middle && middle < high { ends.min(at(middle)) } else { ends }
 }
 
 impl Shape for Quadric {
@@ -208,5 +325,69 @@ mod tests {
         table(&sphere, "from <5,1,0> dir <-1,0,0> | P <0, 1, 0> N <0, 1, 0>");
         let cone = Quadric::new(DVec3::new(1.0, -1.0, 1.0), DVec3::ZERO, DVec3::ZERO, 0.0);
         table(&cone, "from <0,3,0> dir <0,-1,0> | P <0, 0, 0> N <1, 0, 0>");
+    }
+
+    #[test]
+    fn a_slab_bounds_what_it_cuts_out_of_a_quadric() {
+        let slab = Bounds { min: DVec3::new(f64::NEG_INFINITY, -1.0, f64::NEG_INFINITY), ..Bounds::ALL };
+        let slab = Bounds { max: DVec3::new(f64::INFINITY, 2.0, f64::INFINITY), ..slab };
+        let bounds = |squares: [f64; 3], linear: [f64; 3], constant| {
+            let (squares, linear) = (DVec3::from_array(squares), DVec3::from_array(linear));
+            Quadric::new(squares, DVec3::ZERO, linear, constant).narrowed(slab)
+        };
+        let close = |bounds: Bounds, low: [f64; 3], high: [f64; 3]| {
+            let (low, high) = (DVec3::from_array(low), DVec3::from_array(high));
+            assert!(bounds.min.abs_diff_eq(low, 1e-4) && bounds.max.abs_diff_eq(high, 1e-4), "{bounds:?}");
+            assert!(bounds.min.cmple(low).all() && bounds.max.cmpge(high).all(), "{bounds:?}");
+        };
+        let five = 5.0_f64.sqrt();
+        close(bounds([1., 0., 1.], [0.; 3], -1.0), [-1., -1., -1.], [1., 2., 1.]);
+        close(bounds([1., -1., 1.], [0.; 3], -1.0), [-five, -1., -five], [five, 2., five]);
+        close(bounds([1., -1., 1.], [0.; 3], 0.0), [-2., -1., -2.], [2., 2., 2.]);
+        // x² + z² = y, and one that is moved: (x - 3)² + z² = y.
+        let root = 2.0_f64.sqrt();
+        close(bounds([1., 0., 1.], [0., -1., 0.], 0.0), [-root, 0., -root], [root, 2., root]);
+        close(bounds([1., 0., 1.], [-6., -1., 0.], 9.0), [3. - root, 0., -root], [3. + root, 2., root]);
+        // Two sheets that open along x have no end there.
+        assert!(!bounds([-1., 1., 1.], [0.; 3], 1.0).is_finite());
+    }
+
+    #[test]
+    fn no_point_inside_is_outside_of_the_box() {
+        let mut state = 5_u64;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
+        };
+        let mut narrowed = 0;
+        for _ in 0..2000 {
+            let mut point = || DVec3::new(number(), number(), number());
+            let quadric = Quadric::new(point(), point() * 0.5, point(), 0.2 * point().x);
+            let (a, b) = (2.0 * point(), 2.0 * point());
+            let mut within = Bounds::new(a, b);
+            if point().x > 0.0 {
+                within.max.x = f64::INFINITY;
+            }
+            let bounds = quadric.narrowed(within);
+            narrowed += u32::from(bounds != within);
+            for _ in 0..40 {
+                let reach = within.max.min(DVec3::splat(9.0)) - within.min;
+                let p = within.min + reach * (point() + 0.5);
+                assert!(!quadric.inside(p) || bounds.contains(p), "{quadric:?} {within:?} {bounds:?} {p}");
+            }
+        }
+        assert!(narrowed > 100, "{narrowed}");
+    }
+
+    #[test]
+    fn lines_are_inside_of_a_convex_one_on_one_stretch() {
+        let cylinder = Quadric::new(DVec3::new(1., 0., 1.), DVec3::ZERO, DVec3::ZERO, -1.0);
+        let stretch = |from: DVec3, to: DVec3| cylinder.stretch(&Ray::new(from, to));
+        let across = stretch(DVec3::new(-3., 5., 0.), DVec3::X).unwrap();
+        assert_eq!([across.enter.t, across.leave.t], [2.0, 4.0]);
+        let along = stretch(DVec3::new(0.5, 5., 0.), DVec3::Y).unwrap();
+        assert_eq!([along.enter.t, along.leave.t], [f64::NEG_INFINITY, f64::INFINITY]);
+        assert!(stretch(DVec3::new(2., 5., 0.), DVec3::Y).is_none());
+        assert!(stretch(DVec3::new(-3., 5., 2.), DVec3::X).is_none());
     }
 }
