@@ -66,9 +66,18 @@ impl Transform {
     }
 
     /// Pairs a map with its numeric inverse; `None` where there is none.
+    ///
+    /// The inverse is the adjugate over the determinant, the translation as well: each element is
+    /// rounded only once after its cofactor, which a factor 1/determinant would do twice.
     pub fn from_affine(forward: DAffine3) -> Option<Self> {
-        let determinant = forward.matrix3.determinant();
-        (determinant != 0.0 && determinant.is_finite()).then(|| Self { forward, inverse: forward.inverse() })
+        let DMat3 { x_axis: a, y_axis: b, z_axis: c } = forward.matrix3;
+        let rows = [b.cross(c), c.cross(a), a.cross(b)];
+        let determinant = a.dot(rows[0]);
+        let translation = -DVec3::from_array(rows.map(|row| row.dot(forward.translation))) / determinant;
+        let [x, y, z] = rows.map(|row| row / determinant);
+        let matrix3 = DMat3::from_cols(x, y, z).transpose();
+        let inverse = DAffine3 { matrix3, translation };
+        (determinant != 0.0 && determinant.is_finite()).then_some(Self { forward, inverse })
     }
 
     /// This map followed by `next`, as when `next` is written after it.

@@ -127,6 +127,9 @@ fn numbers_beside_each_other_are_combined_before_a_zero_is_noticed() {
         ("#declare f=function(x){1/0*x} F(f(0)) F(f(1))", "-nan inf"),
         ("#declare f=function(x){x*1/0}", "E"),
         ("#declare f=function(x){(1)/0}", "E"),
+        ("#declare f=function(x){(1)/2*0}", "E"),
+        ("#declare f=function(x){(1)/2*0*3}", "E"),
+        ("#declare f=function(x){(3)*2/2*0} F(f(0))", "0"),
         ("#declare f=function(x){1/(0)} F(f(0))", "inf"),
         ("#declare f=function(x){acosh(x)} F(f(0))", "-nan"),
     ]);

@@ -77,10 +77,14 @@ fn operator(level: usize, punct: Punct) -> Option<BinaryOp> {
     })
 }
 
+fn division_by_zero(vm: &Vm, sign: Span) -> Fault {
+    vm.error(sign.to(vm.last), "division by zero in a function")
+}
+
 const COMPARISONS: usize = 2;
 const TIGHTEST: usize = 5;
 
-/// What an operator gives for two numbers: comparisons are exact here.
+/// What an operator gives for two numbers: comparisons are exact here, and false for what is no number.
 fn compute(op: BinaryOp, a: f64, b: f64) -> f64 {
     let number = |holds: bool| f64::from(u8::from(holds));
     match op {
@@ -90,9 +94,8 @@ fn compute(op: BinaryOp, a: f64, b: f64) -> f64 {
         BinaryOp::Divide => a / b,
         BinaryOp::Less => number(a < b),
         BinaryOp::LessEqual => number(a <= b),
-        // What is no number is greater.
-        BinaryOp::Greater => number(a > b || a.is_nan() || b.is_nan()),
-        BinaryOp::GreaterEqual => number(a >= b || a.is_nan() || b.is_nan()),
+        BinaryOp::Greater => number(a > b),
+        BinaryOp::GreaterEqual => number(a >= b),
         BinaryOp::Equal => number(a == b),
         BinaryOp::NotEqual => number(a != b),
         BinaryOp::And => number(a != 0.0 && b != 0.0),
@@ -126,12 +129,16 @@ impl Body {
             if let (Some(left), Expr::Constant(b)) = (left, &right.expr)
                 && let Expr::Constant(a) = left.expr
             {
-                left.expr = Expr::Constant(compute(op, a, *b));
+                let value = compute(op, a, *b);
+                left.expr = Expr::Constant(value);
                 left.combined = true;
+                if let (Some(BinaryOp::Divide), 0.0) = (operators.last(), value) {
+                    return Err(division_by_zero(vm, sign));
+                }
                 continue;
             }
             if let (BinaryOp::Divide, Expr::Constant(0.0), true) = (op, &right.expr, right.plain) {
-                return Err(vm.error(sign.to(vm.last), "division by zero in a function"));
+                return Err(division_by_zero(vm, sign));
             }
             operators.push(op);
             operands.push(right);

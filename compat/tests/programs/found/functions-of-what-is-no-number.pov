@@ -11,3 +11,7 @@
 #declare I = function (x, y) { max(x, y) } P(I)
 #declare J = function (x, y) { max(x, y, 2) + min(x, 3, y) } P(J)
 #declare K = function (x, y) { (N > x) + 2 * (y >= N) } P(K)
+// Between two numbers that are known it compares with nothing.
+#declare L = function { N < 1 } F(L(0, 0, 0)) #declare M1 = function { 1 < N } F(M1(0, 0, 0))
+#declare O = function { N > 1 } F(O(0, 0, 0)) #declare Q = function { 1 > N } F(Q(0, 0, 0))
+#declare R = function { N >= N } F(R(0, 0, 0)) #declare T = function { N != N } F(T(0, 0, 0))
