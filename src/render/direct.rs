@@ -109,7 +109,7 @@ impl Tracer<'_> {
         }
         let unblocked = match *unblocked {
             Some(known) => known,
-            None => *unblocked.insert(self.unblocked(&at.target(), light, incident)),
+            None => *unblocked.insert(self.unblocked(&at.target(), *number, incident)),
         };
         if is_dark(unblocked) {
             return Rgb::ZERO;

@@ -114,7 +114,8 @@ impl<'w> Eye<'w> {
     ) -> (Vec<Sample>, Statistics) {
         let quality = Quality::new(self.options.quality);
         let alpha = if self.options.output_alpha { Alpha::Stored } else { Alpha::None };
-        let mut tracer = Tracer::new(self.world, quality, alpha);
+        let pixel = f64::from(self.options.width.max(self.options.height)).recip();
+        let mut tracer = Tracer::new(self.world, quality, alpha, pixel);
         // What the thread counted before belongs to other work.
         Tally::take();
         let mut sample = |x: f64, y: f64| self.sample(&mut tracer, x, y);

@@ -23,6 +23,8 @@ use crate::world::{Intersection, Ray, RayKind};
 pub(super) struct At<'a> {
     /// The ray that met it.
     pub(super) path: &'a Path,
+    /// How.
+    pub(super) hit: &'a Hit,
     /// Where.
     pub(super) surface: &'a Intersection,
     /// What.
@@ -40,7 +42,7 @@ pub(super) struct At<'a> {
 impl At<'_> {
     /// What lamps shine on.
     pub(super) fn target(&self) -> Target<'_> {
-        Target { surface: self.surface, inside: &self.path.inside, among: None, sifted: false }
+        Target { surface: self.surface, hit: Some(self.hit), inside: &self.path.inside, among: None }
     }
 }
 
@@ -134,7 +136,7 @@ impl Tracer<'_> {
             }
         }
         let surface = &surface;
-        let mut at = At { path, surface, leaf, attenuation, passage: None, plain: false, arrivals: None };
+        let mut at = At { path, hit, surface, leaf, attenuation, passage: None, plain: false, arrivals: None };
         let mut sum = Sum::default();
         if let Some(layers) = textures::layers(world, leaf, surface) {
             self.statistics.texture_evaluations += 1;

@@ -1,17 +1,18 @@
 //! What of a lamp's light comes through to a surface (docs/spec/shading.md 15 and 17).
 
 mod grid;
+mod shafts;
 
 pub(super) use grid::Places;
+pub(super) use shafts::Shafts;
 
 use super::refract::Inside;
 use super::textures;
 use super::trace::Tracer;
 use crate::math::Rgb;
-use crate::world::hit::Hit;
+use crate::world::hit::{Among, Hit};
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::LeafFlags;
-use crate::world::screen::Screen;
 use crate::world::{Intersection, Light, Range, Ray};
 
 /// The last part of the way to a light, where the surface that it lies on is not in its way.
@@ -21,24 +22,41 @@ const LAST: f64 = 1e-9;
 #[derive(Clone, Copy)]
 pub(super) struct Target<'a> {
     pub(super) surface: &'a Intersection,
+    /// Where a ray met it; `None` in media.
+    pub(super) hit: Option<&'a Hit>,
     /// What is around it.
     pub(super) inside: &'a Inside,
     /// The only objects that may be in the way, where that is known.
-    pub(super) among: Option<&'a [Screen]>,
-    /// Whether all of these are known to be near the way.
-    pub(super) sifted: bool,
+    pub(super) among: Option<Among<'a>>,
 }
 
 impl Tracer<'_> {
     /// The light that arrives from `light`, given what would arrive if nothing were in the way.
-    pub(super) fn unblocked(&mut self, at: &Target, light: &Light, incident: &Incident) -> Rgb {
+    pub(super) fn unblocked(&mut self, at: &Target, number: u32, incident: &Incident) -> Rgb {
+        let light = &self.world.lights[number as usize];
         if !self.quality.shadows || (light.shadowless && light.projected_through.is_none()) {
             self.statistics.lights_shadowless += 1;
             return incident.color;
         }
-        let among = if at.among.is_none() { self.between(at, light, incident) } else { None };
-        let at = &Target { among: among.as_deref().or(at.among), ..*at };
-        let nothing = at.among.is_some_and(<[Screen]>::is_empty);
+        let Some(hit) = at.hit.filter(|_| at.among.is_none()) else {
+            return self.known_unblocked(at, light, incident);
+        };
+        let geometry = &self.world.geometry;
+        let shaft = self.shafts.take(geometry, (number, light), at.surface, hit.t, self.pixel);
+        if let Some(shaft) = shaft {
+            let among = Some(Among::Screens(&shaft.1));
+            let color = self.known_unblocked(&Target { among, ..*at }, light, incident);
+            self.shafts.back(shaft);
+            return color;
+        }
+        let among = self.between(at, light, incident);
+        let among = among.as_deref().map(Among::Screens);
+        self.known_unblocked(&Target { among, ..*at }, light, incident)
+    }
+
+    /// The same where what may be in the way was looked for.
+    fn known_unblocked(&mut self, at: &Target, light: &Light, incident: &Incident) -> Rgb {
+        let nothing = at.among.is_some_and(|among| among.is_empty());
         if nothing && light.projected_through.is_none() && !self.dims(light) {
             self.statistics.lights_open += 1;
             return incident.color;
@@ -68,7 +86,7 @@ impl Tracer<'_> {
         let geometry = &self.world.geometry;
         let mut occluders = std::mem::take(&mut self.occluders);
         self.blocker = match at.among {
-            Some(among) => geometry.occluders_among(among, at.sifted, &ray, range, &mut occluders),
+            Some(among) => geometry.occluders_among(among, &ray, range, &mut occluders),
             None => geometry.occluders(&ray, range, self.blocker, &mut occluders),
         };
         let color = if self.blocker.is_some() {

@@ -6,7 +6,7 @@ use super::quality::Quality;
 use super::random::Random;
 use super::refract::Inside;
 use super::shade::Mirror;
-use super::shadow::Places;
+use super::shadow::{Places, Shafts};
 use super::stats::Statistics;
 use crate::math::Rgb;
 use crate::world::atmosphere::Alpha;
@@ -66,14 +66,19 @@ pub(super) struct Tracer<'w> {
     pub(super) beams: Vec<Beam>,
     pub(super) between: Vec<Between>,
     /// What may be in the way of the light at the sample of media at hand.
-    pub(super) near: Vec<Screen>,
+    pub(super) near: Vec<u32>,
+    pub(super) screens: Vec<Screen>,
     /// What the places of the area light at hand show.
     pub(super) places: Places,
+    /// What may be in the way between cells of space and lamps.
+    pub(super) shafts: Shafts,
+    /// The size of a pixel at distance 1, roughly.
+    pub(super) pixel: f64,
 }
 
 impl<'w> Tracer<'w> {
     /// A tracer without any history.
-    pub(super) fn new(world: &'w World, quality: Quality, alpha: Alpha) -> Self {
+    pub(super) fn new(world: &'w World, quality: Quality, alpha: Alpha, pixel: f64) -> Self {
         Self {
             world,
             quality,
@@ -87,7 +92,10 @@ impl<'w> Tracer<'w> {
             beams: Vec::new(),
             between: Vec::new(),
             near: Vec::new(),
+            screens: Vec::new(),
             places: Places::default(),
+            shafts: Shafts::default(),
+            pixel,
         }
     }
 

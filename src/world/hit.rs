@@ -20,6 +20,26 @@ const FEW: usize = 12;
 /// Objects that may throw a shadow.
 pub type Nearby = SmallVec<[Screen; FEW]>;
 
+/// The only objects that may be in the way of light.
+#[derive(Clone, Copy, Debug)]
+pub enum Among<'a> {
+    /// Some of these.
+    Screens(&'a [Screen]),
+    /// These, by number, all near the way.
+    Near(&'a [u32]),
+}
+
+impl Among<'_> {
+    /// Whether there are none.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        match self {
+            Self::Screens(screens) => screens.is_empty(),
+            Self::Near(numbers) => numbers.is_empty(),
+        }
+    }
+}
+
 /// Where a ray meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
@@ -211,18 +231,33 @@ impl Geometry {
 
     /// Whether an object whose box meets the hull may have a surface there.
     fn is_near(&self, number: u32, hull: &Hull) -> bool {
+        !self.is_apart_from(number, hull.points())
+    }
+
+    /// Whether it is known that no straight way between any two of the points meets an object.
+    pub fn is_apart_from(&self, number: u32, points: &[DVec3]) -> bool {
         match self.parts.objects[number as usize].member {
-            Member::Leaf(leaf) => !self.parts.leaf(leaf).is_apart_from(hull.points()),
-            Member::Group(_) => true,
+            Member::Leaf(leaf) => self.parts.leaf(leaf).is_apart_from(points),
+            Member::Group(_) => false,
+        }
+    }
+
+    /// Whether a ray that leaves an object towards the outside won't meet it again.
+    pub fn is_left_for_good(&self, number: u32) -> bool {
+        match self.parts.objects[number as usize].member {
+            Member::Leaf(leaf) => {
+                let leaf = self.parts.leaf(leaf);
+                leaf.is_convex() && !leaf.flags.intersects(LeafFlags::INVERTED | LeafFlags::REVERSED)
+            }
+            Member::Group(_) => false,
         }
     }
 
     /// The same as [`occluders`](Self::occluders) where it is known that only objects of `among` may
-    /// be in the way; `sifted` if it is known that these are all near.
+    /// be in the way.
     pub fn occluders_among(
         &self,
-        among: &[Screen],
-        sifted: bool,
+        among: Among,
         ray: &Ray,
         range: Range,
         through: &mut Vec<Hit>,
@@ -231,20 +266,29 @@ impl Geometry {
         if range.max <= 0.0 {
             return None;
         }
-        let way = (ray.direction * range.max).to_array();
-        let blocker = among.iter().find(|screen| {
-            let verdict = if sifted { UNKNOWN } else { screen.from(ray.origin).verdict(way) };
-            if verdict != UNKNOWN {
-                return verdict == SHUT;
-            }
-            let object = &self.parts.objects[screen.object as usize];
+        let mut is_shut = |number: u32| {
+            let object = &self.parts.objects[number as usize];
             // Where a lone primitive is asked, its box needn't be.
-            let near = || Slabs::new(ray).meet(&self.parts.extent(object.member).bounds, range);
-            let asked = matches!(object.member, Member::Leaf(_)) || !screen.is_bounded() || near();
-            asked && self.occluders_of(object, screen.object, ray, range, through)
-        });
+            let near = || {
+                let bounds = &self.parts.extent(object.member).bounds;
+                !bounds.is_finite() || Slabs::new(ray).meet(bounds, range)
+            };
+            let asked = matches!(object.member, Member::Leaf(_)) || near();
+            asked && self.occluders_of(object, number, ray, range, through)
+        };
+        let blocker = match among {
+            Among::Near(numbers) => numbers.iter().copied().find(|&number| is_shut(number)),
+            Among::Screens(screens) => {
+                let way = (ray.direction * range.max).to_array();
+                let blocking = screens.iter().find(|screen| match screen.from(ray.origin).verdict(way) {
+                    UNKNOWN => is_shut(screen.object),
+                    verdict => verdict == SHUT,
+                });
+                blocking.map(|screen| screen.object)
+            }
+        };
         self.sort_occluders(ray, through);
-        blocker.map(|screen| screen.object)
+        blocker
     }
 
     /// The nearest first, coincident ones once.

@@ -71,7 +71,7 @@ impl Screen {
 
     /// Whether it ends on every side.
     #[inline]
-    pub(super) fn is_bounded(&self) -> bool {
+    pub fn is_bounded(&self) -> bool {
         self.outer < f64::INFINITY
     }
 
@@ -113,6 +113,55 @@ impl View {
         let verdict = if misses { OPEN } else { UNKNOWN };
         if meets { SHUT } else { verdict }
     }
+
+    /// What it is to all ways of a bundle from the point; unknown where it isn't the same to all.
+    #[inline]
+    pub fn verdict_on_all(&self, cone: &Cone) -> Verdict {
+        let along = self.toward.dot(cone.axis);
+        let square = self.toward.length_squared();
+        let distance = square.sqrt();
+        let blur = BLUR * distance;
+        // The cosine of the angles of bundle and ball together, times the distance, and that of their
+        // difference.
+        let radius = (square - self.outer).sqrt();
+        let apart = cone.cos * self.outer.sqrt() - cone.sin * radius;
+        if self.outer >= 0.0 && (along < apart - blur || distance - radius > cone.far) {
+            return OPEN;
+        }
+        let radius = (square - self.inner).sqrt();
+        let within = cone.cos * self.inner.sqrt() + cone.sin * radius;
+        let wide = radius > cone.sin * distance + blur;
+        if wide && along > within + blur && distance < cone.near { SHUT } else { UNKNOWN }
+    }
+}
+
+/// A bundle of ways from a point to the places of an area light.
+#[derive(Clone, Copy, Debug)]
+pub struct Cone {
+    axis: DVec3,
+    /// The half-angle.
+    cos: f64,
+    sin: f64,
+    /// The least distance of a place, and the greatest.
+    near: f64,
+    far: f64,
+}
+
+impl Cone {
+    /// The bundle to all places that are no farther than `radius` from the end of `way`; `None` where
+    /// that is all around.
+    pub fn new(way: DVec3, radius: f64) -> Option<Self> {
+        let length = way.length();
+        let sin = radius / length * (1.0 + BLUR);
+        let known = sin < 1.0 && length.is_finite();
+        known.then(|| Self {
+            axis: way / length,
+            cos: (1.0 - sin * sin).sqrt(),
+            sin,
+            near: (length - radius) * (1.0 - BLUR),
+            far: (length + radius) * (1.0 + BLUR),
+        })
+    }
 }
 
 /// The verdict on a way of several screens, each with how it is seen, if that is known; `near` is
@@ -121,7 +170,7 @@ impl View {
 pub fn sift<'a>(
     screens: impl Iterator<Item = (&'a Screen, Option<&'a View>)>,
     way: DVec3,
-    near: &mut Vec<Screen>,
+    near: &mut Vec<u32>,
 ) -> Verdict {
     let way = way.to_array();
     near.clear();
@@ -129,7 +178,7 @@ pub fn sift<'a>(
     for (screen, view) in screens {
         let found = view.map_or(UNKNOWN, |view| view.verdict(way));
         if found == UNKNOWN {
-            near.push(*screen);
+            near.push(screen.object);
         }
         verdict = verdict.max(found);
     }
@@ -200,6 +249,31 @@ mod tests {
             assert!(verdict != SHUT || distance < inner, "{from} {lamp} {center} {inner}");
         }
         assert!(seen.iter().all(|&count| count > 300), "{seen:?}");
+    }
+
+    #[test]
+    fn verdicts_on_a_bundle_are_those_on_its_ways() {
+        let mut state = 17_u64;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
+        };
+        let mut seen = [0; 3];
+        for _ in 0..4000 {
+            let mut point = || 4.0 * DVec3::new(number(), number(), number());
+            let (from, lamp, center) = (point(), point(), point());
+            let view = View::of(center, 0.5 + number().abs(), 0.5, from);
+            let radius = number().abs();
+            let Some(cone) = Cone::new(lamp - from, radius) else { continue };
+            let verdict = view.verdict_on_all(&cone);
+            seen[verdict as usize] += 1;
+            for _ in 0..40 {
+                let aside = DVec3::new(number(), number(), number()).normalize() * radius;
+                let single = view.verdict((lamp + aside - from).to_array());
+                assert!(verdict == UNKNOWN || verdict == single, "{from} {lamp} {center} {radius}");
+            }
+        }
+        assert!(seen.iter().all(|&count| count > 100), "{seen:?}");
     }
 
     #[test]

@@ -11,6 +11,66 @@ const HALVINGS: u32 = 10;
 pub(super) fn isolated<const L: usize, const N: usize>(c: &[f64], low: f64, high: f64) -> Option<Roots<N>> {
     let c: &[f64; L] = c.try_into().ok()?;
     let width = high - low;
+    let (b, noise) = bernstein(c, low, width);
+    if !noise.is_finite() {
+        return None;
+    }
+    let mut roots = Roots::new();
+    let place = Stretch { low, width, from: 0.0, share: 1.0 };
+    isolate(c, &b, place, noise, HALVINGS, &mut roots).then_some(roots)
+}
+
+/// How many times the rounding errors of its values a polynomial must rise beside a zero to be known
+/// to have no other there.
+const STEEP: f64 = 1e4;
+
+/// Whether a polynomial with the coefficients `c` has a root between `low` and `high`; a zero at `low`
+/// itself is none. `None` where rounding or roots close together leave doubt.
+pub fn any_between<const L: usize>(c: &[f64; L], low: f64, high: f64) -> Option<bool> {
+    let (mut b, noise) = bernstein(c, low, high - low);
+    if !noise.is_finite() {
+        return None;
+    }
+    if b[0].abs() <= noise {
+        // It leaves a zero at the start for one side.
+        if b[1].abs() <= STEEP * noise {
+            return None;
+        }
+        b[0] = noise.next_up().copysign(b[1]);
+    }
+    changes_sign(&b, noise, HALVINGS)
+}
+
+/// Whether a polynomial with the Bernstein coefficients `b` has a root; `None` where that is in doubt.
+fn changes_sign<const L: usize>(b: &[f64; L], noise: f64, halvings: u32) -> Option<bool> {
+    if b[L - 1].abs() <= noise {
+        return None;
+    }
+    if (b[0] < 0.0) != (b[L - 1] < 0.0) {
+        return Some(true);
+    }
+    let (mut alike, mut certain) = (true, true);
+    for i in 1..L {
+        alike &= (b[i] < 0.0) == (b[0] < 0.0);
+        certain &= b[i].abs() > noise;
+    }
+    if alike && certain {
+        return Some(false);
+    }
+    if halvings == 0 {
+        return None;
+    }
+    let (left, right) = divided(b, far_side(b));
+    match changes_sign(&left, noise, halvings - 1)? {
+        true => Some(true),
+        false => changes_sign(&right, noise, halvings - 1),
+    }
+}
+
+/// The Bernstein coefficients of a polynomial between `low` and `low + width`, and a bound on their
+/// rounding errors.
+#[inline(always)]
+fn bernstein<const L: usize>(c: &[f64; L], low: f64, width: f64) -> ([f64; L], f64) {
     // The polynomial of the share of the way from low to high.
     let mut b = *c;
     for from in 0..L - 1 {
@@ -32,13 +92,7 @@ pub(super) fn isolated<const L: usize, const N: usize>(c: &[f64], low: f64, high
     }
     let reach = low.abs() + width;
     let size = c.iter().rev().fold(0.0, |sum, c| sum * reach + c.abs());
-    let noise = 16.0 * (L - 1) as f64 * f64::EPSILON * size;
-    if !noise.is_finite() {
-        return None;
-    }
-    let mut roots = Roots::new();
-    let place = Stretch { low, width, from: 0.0, share: 1.0 };
-    isolate(c, &b, place, noise, HALVINGS, &mut roots).then_some(roots)
+    (b, 16.0 * (L - 1) as f64 * f64::EPSILON * size)
 }
 
 /// A part of an interval.
@@ -88,7 +142,16 @@ fn isolate<const L: usize, const N: usize>(
     }
     // Between two roots, if there are two, else anywhere: in the middle.
     let share = if changes == 2 { far_side(b) } else { 0.5 };
-    // De Casteljau's division.
+    let (left, right) = divided(b, share);
+    let first = Stretch { share: share * place.share, ..place };
+    let second = Stretch { from: first.from + first.share, share: place.share - first.share, ..place };
+    isolate(c, &left, first, noise, halvings - 1, roots)
+        && isolate(c, &right, second, noise, halvings - 1, roots)
+}
+
+/// De Casteljau's division: the coefficients before and after a share of the way.
+#[inline(always)]
+fn divided<const L: usize>(b: &[f64; L], share: f64) -> ([f64; L], [f64; L]) {
     let (mut left, mut right) = ([0.0; L], *b);
     for (i, first) in left.iter_mut().enumerate() {
         *first = right[0];
@@ -96,10 +159,7 @@ fn isolate<const L: usize, const N: usize>(
             right[j] = (1.0 - share) * right[j] + share * right[j + 1];
         }
     }
-    let first = Stretch { share: share * place.share, ..place };
-    let second = Stretch { from: first.from + first.share, share: place.share - first.share, ..place };
-    isolate(c, &left, first, noise, halvings - 1, roots)
-        && isolate(c, &right, second, noise, halvings - 1, roots)
+    (left, right)
 }
 
 /// The share of the way at which the coefficients are farthest beyond zero, seen from the first one.
@@ -111,4 +171,38 @@ fn far_side<const L: usize>(b: &[f64; L]) -> f64 {
         }
     }
     farthest as f64 / (L - 1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::roots::roots_between;
+
+    #[test]
+    fn whether_there_is_a_root_agrees_with_the_roots() {
+        let mut state = 5_u64;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
+        };
+        let mut seen = [0; 3];
+        for _ in 0..20_000 {
+            let c: [f64; 5] = std::array::from_fn(|_| number());
+            let (low, high) = (number(), number() + 1.0);
+            let found = any_between(&c, low, high);
+            let roots = roots_between::<5>(&c, low, high);
+            assert!(found.is_none_or(|found| found != roots.as_slice().is_empty()), "{c:?} {low} {high}");
+            seen[found.map_or(2, usize::from)] += 1;
+        }
+        assert!(seen[0] > 2000 && seen[1] > 2000 && seen[2] < 20, "{seen:?}");
+    }
+
+    #[test]
+    fn a_zero_at_the_start_is_no_root() {
+        // t (t - 2) and t (t + 2).
+        assert_eq!(any_between(&[0.0, -2.0, 1.0], 0.0, 1.0), Some(false));
+        assert_eq!(any_between(&[0.0, -2.0, 1.0], 0.0, 3.0), Some(true));
+        assert_eq!(any_between(&[0.0, 2.0, 1.0], 0.0, 3.0), Some(false));
+        assert_eq!(any_between(&[0.0, 0.0, 1.0], 0.0, 3.0), None);
+    }
 }

@@ -9,6 +9,7 @@ mod polynomial;
 mod unbounded;
 
 pub use bracket::between;
+pub use descartes::any_between;
 pub use polynomial::{Roots, roots_between};
 
 /// `a b - c d` with an error below 2 units in the last place (Kahan; Jeannerod et al. 2013).

@@ -6,6 +6,7 @@ use super::March;
 use crate::math::{DVec3, Rgb};
 use crate::render::shadow::Target;
 use crate::render::trace::Tracer;
+use crate::world::hit::Among;
 use crate::world::screen::{SHUT, sift};
 use crate::world::{Intersection, Media};
 
@@ -83,6 +84,7 @@ impl Tracer<'_> {
     fn lamps(&mut self, march: &March, point: DVec3, s: f64) -> Rgb {
         let stretch = march.stretch;
         let surface = Intersection::in_space(point);
+        let target = Target { surface: &surface, hit: None, inside: stretch.inside, among: None };
         let mut sum = Rgb::ZERO;
         for beam in march.beams.iter().filter(|beam| beam.reach.min <= s && s <= beam.reach.max) {
             let light = &self.world.lights[beam.light as usize];
@@ -96,25 +98,27 @@ impl Tracer<'_> {
             let share = shares / stretch.media.len() as f32;
             if share != 0.0 {
                 let Some(span) = beam.among.clone() else {
-                    let target =
-                        Target { surface: &surface, inside: stretch.inside, among: None, sifted: false };
-                    sum += share * self.unblocked(&target, light, &incident);
+                    sum += share * self.unblocked(&target, beam.light, &incident);
                     continue;
                 };
-                let mut near = std::mem::take(&mut self.near);
                 let between = march.between[span].iter().filter(|between| between.shade.contains(s));
+                if light.area.is_some() {
+                    let mut screens = std::mem::take(&mut self.screens);
+                    screens.clear();
+                    screens.extend(between.map(|between| between.screen));
+                    let target = Target { among: Some(Among::Screens(&screens)), ..target };
+                    sum += share * self.unblocked(&target, beam.light, &incident);
+                    self.screens = screens;
+                    continue;
+                }
+                let mut near = std::mem::take(&mut self.near);
                 let seen = between.map(|between| (&between.screen, between.view.as_ref()));
                 let verdict = sift(seen, point - light.location, &mut near);
                 if verdict == SHUT && self.quality.shadows {
                     self.statistics.shadow_rays += 1;
                 } else {
-                    let target = Target {
-                        surface: &surface,
-                        inside: stretch.inside,
-                        among: Some(&near),
-                        sifted: light.area.is_none() && !light.runs_parallel(),
-                    };
-                    sum += share * self.unblocked(&target, light, &incident);
+                    let target = Target { among: Some(Among::Near(&near)), ..target };
+                    sum += share * self.unblocked(&target, beam.light, &incident);
                 }
                 self.near = near;
             }

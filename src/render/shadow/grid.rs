@@ -6,9 +6,9 @@ use crate::math::wide::widest;
 use crate::math::{DVec2, DVec3, Rgb};
 use crate::render::trace::Tracer;
 use crate::world::accel::{Hull, Points};
-use crate::world::hit::Nearby;
+use crate::world::hit::{Among, Geometry, Nearby};
 use crate::world::light::{AreaLight, Incident};
-use crate::world::screen::{OPEN, SHUT, Screen, Verdict, View, sift};
+use crate::world::screen::{Cone, OPEN, SHUT, Screen, UNKNOWN, Verdict, View, sift};
 use crate::world::{Intersection, Light};
 
 /// Difference between corners of an area light's grid above which the part between is refined.
@@ -28,9 +28,9 @@ pub(in crate::render) struct Places {
     ways: [Vec<f64>; 3],
     verdicts: Vec<Verdict>,
     /// What may be in the way, as seen from where the rays start.
-    views: Vec<View>,
+    around: Vec<(Screen, View)>,
     /// What may be in the way to the place at hand.
-    near: Vec<Screen>,
+    near: Vec<u32>,
 }
 
 /// A rectangle of an area light's grid, by the indices of its corners.
@@ -81,23 +81,54 @@ impl Tracer<'_> {
         let axes = area.axes_towards(center.direction);
         let mut grid = Grid { light, area, axes, center, middle: None };
         let plain = light.projected_through.is_none() && !light.runs_parallel() && !self.dims(light);
-        if let (Some(among), true) = (at.among, plain)
+        if let (Some(Among::Screens(among)), true) = (at.among, plain)
             && let Some(origin) = origin(at.surface, light, area, axes)
         {
-            if !area.plan.shares.is_empty() {
-                return self.whole(at, &grid, among, origin);
+            match self.look_around(at, &grid, among, origin) {
+                OPEN => {
+                    self.statistics.lights_open += 1;
+                    return center.color;
+                }
+                SHUT => {
+                    self.statistics.shadow_rays += 1;
+                    return Rgb::ZERO;
+                }
+                _ if !area.plan.shares.is_empty() => return self.whole(at, &grid, origin),
+                _ => grid.middle = Some(light.location - origin),
             }
-            self.places.views.clear();
-            self.places.views.extend(among.iter().map(|screen| screen.from(origin)));
-            grid.middle = Some(light.location - origin);
         }
         self.places.known.clear();
         self.places.known.resize((area.size[0] * area.size[1]) as usize, None);
         self.part(at, &grid, Part { u: [0, area.size[0] - 1], v: [0, area.size[1] - 1] }, 0)
     }
 
+    /// The verdict on all ways to a grid, if it is the same; else what decides about them is noted.
+    fn look_around(&mut self, at: &Target, grid: &Grid, among: &[Screen], origin: DVec3) -> Verdict {
+        let geometry = &self.world.geometry;
+        let middle = grid.light.location - origin;
+        let outside = !at.surface.inside && middle.dot(at.surface.geometric) > 0.0;
+        let left = at.hit.map(|hit| hit.object).filter(|&own| outside && geometry.is_left_for_good(own));
+        let cone = Cone::new(middle, grid.area.radius());
+        let around = &mut self.places.around;
+        around.clear();
+        for screen in among {
+            if left == Some(screen.object) {
+                continue;
+            }
+            let view = screen.from(origin);
+            match cone.as_ref().map_or(UNKNOWN, |cone| view.verdict_on_all(cone)) {
+                OPEN => {}
+                SHUT => return SHUT,
+                _ => around.push((*screen, view)),
+            }
+        }
+        around.retain(|(screen, _)| screen.is_bounded() || !grid.is_apart_from(geometry, screen, origin));
+        if around.is_empty() { OPEN } else { UNKNOWN }
+    }
+
     /// The light of a grid every place of which is asked, from a point with few objects around.
-    fn whole(&mut self, at: &Target, grid: &Grid, among: &[Screen], origin: DVec3) -> Rgb {
+    fn whole(&mut self, at: &Target, grid: &Grid, origin: DVec3) -> Rgb {
+        let middle = grid.light.location - origin;
         let mut places = std::mem::take(&mut self.places);
         if grid.area.jitter {
             places.moved.clear();
@@ -111,20 +142,22 @@ impl Tracer<'_> {
             places.moved.clone_from(&grid.area.plan.places);
         }
         self.statistics.shadow_rays += places.moved.len() as u64;
-        places.look(grid.light.location - origin, grid.axes, among, origin);
+        places.look(middle, grid.axes);
+        // The sum of the shares is 1 but for rounding.
+        let all = places.verdicts.iter().all(|&verdict| verdict == OPEN);
+        let (moved, verdicts) = (std::mem::take(&mut places.moved), std::mem::take(&mut places.verdicts));
+        self.places = places;
         let mut open = 0.0;
         let mut sum = Rgb::ZERO;
-        let shares = &grid.area.plan.shares;
-        for ((&share, &verdict), &place) in shares.iter().zip(&places.verdicts).zip(&places.moved) {
+        for ((&share, &verdict), &place) in grid.area.plan.shares.iter().zip(&verdicts).zip(&moved) {
             if verdict == OPEN {
                 open += share;
             } else if verdict != SHUT {
-                sum += share * self.towards(at, grid, grid.axes[0] * place.x + grid.axes[1] * place.y);
+                let offset = grid.axes[0] * place.x + grid.axes[1] * place.y;
+                sum += share * self.through(at, grid, middle, offset);
             }
         }
-        // The sum of the shares is 1 but for rounding.
-        let all = places.verdicts.iter().all(|&verdict| verdict == OPEN);
-        self.places = places;
+        (self.places.moved, self.places.verdicts) = (moved, verdicts);
         if all { grid.center.color } else { sum + grid.center.color * open }
     }
 
@@ -157,21 +190,24 @@ impl Tracer<'_> {
         }
         let offset = grid.area.offset(grid.axes, (u, v), self.grid_shift(grid.area));
         self.statistics.shadow_rays += 1;
-        let color = match (grid.middle, at.among) {
-            (Some(middle), Some(among)) => {
-                let mut near = std::mem::take(&mut self.places.near);
-                let seen = among.iter().zip(self.places.views.iter().map(Some));
-                let color = match sift(seen, middle + offset, &mut near) {
-                    OPEN => grid.center.color,
-                    SHUT => Rgb::ZERO,
-                    _ => self.towards(&Target { among: Some(&near), sifted: true, ..*at }, grid, offset),
-                };
-                self.places.near = near;
-                color
-            }
-            _ => self.towards(at, grid, offset),
+        let color = match grid.middle {
+            Some(middle) => self.through(at, grid, middle, offset),
+            None => self.towards(at, grid, offset),
         };
         self.places.known[index] = Some(color);
+        color
+    }
+
+    /// The light from a place this far from the middle of the grid past the objects around.
+    fn through(&mut self, at: &Target, grid: &Grid, middle: DVec3, offset: DVec3) -> Rgb {
+        let mut near = std::mem::take(&mut self.places.near);
+        let seen = self.places.around.iter().map(|(screen, view)| (screen, Some(view)));
+        let color = match sift(seen, middle + offset, &mut near) {
+            OPEN => grid.center.color,
+            SHUT => Rgb::ZERO,
+            _ => self.towards(&Target { among: Some(Among::Near(&near)), ..*at }, grid, offset),
+        };
+        self.places.near = near;
         color
     }
 
@@ -187,6 +223,15 @@ impl Tracer<'_> {
     }
 }
 
+impl Grid<'_> {
+    /// Whether no way from a point to a place of the grid can meet the screen.
+    fn is_apart_from(&self, geometry: &Geometry, screen: &Screen, origin: DVec3) -> bool {
+        let [a, b, c, d] = self.area.corners(self.axes);
+        let at = self.light.location;
+        geometry.is_apart_from(screen.object, &[origin, at + a, at + b, at + c, at + d])
+    }
+}
+
 /// Where all rays to an area light start; `None` where some leave on the other side of the surface.
 fn origin(surface: &Intersection, light: &Light, area: &AreaLight, axes: [DVec3; 2]) -> Option<DVec3> {
     let ways = area.corners(axes).map(|corner| light.location + corner - surface.point);
@@ -195,9 +240,9 @@ fn origin(surface: &Intersection, light: &Light, area: &AreaLight, axes: [DVec3;
 }
 
 impl Places {
-    /// Finds out which places `among` leaves open, as far as that is seen without the surfaces.
-    fn look(&mut self, middle: DVec3, [a, b]: [DVec3; 2], among: &[Screen], origin: DVec3) {
-        let Self { moved, ways, verdicts, .. } = self;
+    /// Finds out which places the objects around leave open, as far as that is seen without the surfaces.
+    fn look(&mut self, middle: DVec3, [a, b]: [DVec3; 2]) {
+        let Self { moved, ways, verdicts, around, .. } = self;
         let count = moved.len();
         let [x, y, z] = ways.each_mut().map(|way| {
             way.resize(count, 0.0);
@@ -213,8 +258,7 @@ impl Places {
                     *y = middle.y + a.y * place.x + b.y * place.y;
                     *z = middle.z + a.z * place.x + b.z * place.y;
                 }
-                for screen in among {
-                    let view = screen.from(origin);
+                for (_, view) in &*around {
                     for (((verdict, &x), &y), &z) in verdicts.iter_mut().zip(&*x).zip(&*y).zip(&*z) {
                         *verdict = verdict.max(view.verdict([x, y, z]));
                     }

@@ -9,7 +9,7 @@ use crate::math::{Bounds, DVec3};
 const BLUR: f64 = 1e-12;
 
 /// The points of a hull.
-pub type Points = SmallVec<[DVec3; 12]>;
+pub type Points = SmallVec<[DVec3; 20]>;
 
 /// The convex hull of a few points around the triangle of the first three.
 #[derive(Clone, Debug)]

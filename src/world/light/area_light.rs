@@ -94,7 +94,17 @@ impl AreaLight {
 
     /// No light of the grid is farther from the middle than this, jitter included.
     pub fn radius(&self) -> f64 {
-        self.axes[0].length() * self.reach(0) + self.axes[1].length() * self.reach(1)
+        let [a, b] = self.axes.map(DVec3::length);
+        let [u, v] = [self.reach(0), self.reach(1)];
+        // Turned grids have axes at right angles.
+        match (self.orient, self.circular) {
+            (true, true) => a.max(b) * u.max(v),
+            (true, false) => (a * u).hypot(b * v),
+            (false, true) => a.hypot(b) * u.max(v),
+            (false, false) => {
+                self.corners(self.axes).into_iter().map(DVec3::length).fold(0.0, f64::max)
+            }
+        }
     }
 
     /// Corners around all lights of the grid, relative to the light's location, jitter included.

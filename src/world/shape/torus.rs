@@ -43,12 +43,9 @@ impl Torus {
         (low <= high).then_some((low, high))
     }
 
-    /// Roots of the quartic along a ray that starts at its closest approach, with the shift to there.
-    fn roots(&self, ray: &Ray) -> Option<(f64, Ray, Roots<5>)> {
-        let speed = ray.direction.length();
-        let (shift, ray) = ray.moved_to(DVec3::ZERO);
-        let (low, high) = self.clip(&ray, speed)?;
-        // In units of the ring's size and the ray's own length all coefficients are of order 1.
+    /// The quartic along a ray whose origin is at its closest approach, in units of the ring's size and
+    /// the ray's own length, so that all coefficients are of order 1.
+    fn quartic(&self, ray: &Ray, speed: f64) -> [f64; 5] {
         let size = self.major + self.minor;
         let (o, d) = (ray.origin / size, ray.direction / speed);
         let (major, minor) = (self.major / size, self.minor / size);
@@ -60,16 +57,36 @@ impl Torus {
         // The constant is a product in which the distance from the tube keeps its digits.
         let tube = (around - major) * (around - major) + (o.y - minor) * (o.y + minor);
         let four = 4.0 * major * major;
-        let quartic = [
+        [
             tube * (k + 2.0 * major * around),
             4.0 * m * k - 2.0 * four * along,
             4.0 * m * m + 2.0 * k - four * steep,
             4.0 * m,
             1.0,
-        ];
-        let unit = size / speed;
-        let found = roots::roots_between(&quartic, low / unit, high / unit);
+        ]
+    }
+
+    /// Roots of the quartic along a ray that starts at its closest approach, with the shift to there.
+    fn roots(&self, ray: &Ray) -> Option<(f64, Ray, Roots<5>)> {
+        let speed = ray.direction.length();
+        let (shift, ray) = ray.moved_to(DVec3::ZERO);
+        let (low, high) = self.clip(&ray, speed)?;
+        let unit = (self.major + self.minor) / speed;
+        let found = roots::roots_between(&self.quartic(&ray, speed), low / unit, high / unit);
         Some((shift, ray, found.map(|t| t * unit)))
+    }
+
+    /// Whether the ray meets the surface in `range`, as far as signs alone tell.
+    fn is_met(&self, ray: &Ray, range: Range) -> Option<bool> {
+        let speed = ray.direction.length();
+        let (shift, ray) = ray.moved_to(DVec3::ZERO);
+        let Some((low, high)) = self.clip(&ray, speed) else { return Some(false) };
+        let (low, high) = (low.max(range.min - shift), high.min(range.max - shift));
+        if low >= high {
+            return Some(false);
+        }
+        let unit = (self.major + self.minor) / speed;
+        roots::any_between(&self.quartic(&ray, speed), low / unit, high / unit)
     }
 
     /// One Newton step on the distance from the tube, whose cancellation is milder than the quartic's.
@@ -124,6 +141,10 @@ impl Shape for Torus {
             .map(|&root| self.polish(&ray, root))
             .map(|(t, part)| Crossing::new(t + shift, part))
             .find(|crossing| range.contains(crossing.t))
+    }
+
+    fn occludes(&self, ray: &Ray, range: Range) -> bool {
+        self.is_met(ray, range).unwrap_or_else(|| self.nearest(ray, range).is_some())
     }
 
     fn inside(&self, point: DVec3) -> bool {

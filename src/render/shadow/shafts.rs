@@ -1,0 +1,141 @@
+//! What may be in the way of light to a cell of space: found once for the many rays that start there.
+
+use crate::math::{Bounds, DVec3};
+use crate::world::accel::{Hull, Points};
+use crate::world::hit::Geometry;
+use crate::world::screen::Screen;
+use crate::world::{Intersection, Light};
+
+/// Cells that are remembered at a time.
+const CELLS: usize = 256;
+
+/// The width of a cell, over the distance from which it is seen and the size of a pixel there.
+const PIXELS: f64 = 8.0;
+
+/// So many rays to a lamp of one place ask for a cell before it is worth while to look around.
+const WORTH: u32 = 3;
+
+/// How far points of a cell may be moved out of it, in parts of its width.
+const ROOM: f64 = 1e-6;
+
+/// What was found out about cells.
+#[derive(Debug, Default)]
+pub(in crate::render) struct Shafts {
+    cells: Vec<Shaft>,
+}
+
+/// A cell as a lamp sees it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Cell {
+    light: u32,
+    /// The power of two that is its width.
+    size: i32,
+    place: [i64; 3],
+}
+
+/// What is between a cell and a lamp.
+#[derive(Clone, Debug, Default)]
+struct Shaft {
+    cell: Cell,
+    /// How often it was asked for.
+    asked: u32,
+    /// The objects; `None` if they are many, or not known.
+    among: Option<Vec<Screen>>,
+}
+
+impl Shafts {
+    /// The objects that may be in the way between a surface that is seen from a `distance` and a lamp;
+    /// `None` where finding them isn't worth while, or they are many. Give them [`back`](Self::back).
+    /// `pixel` is the size of a pixel at distance 1.
+    pub(super) fn take(
+        &mut self,
+        geometry: &Geometry,
+        (number, light): (u32, &Light),
+        surface: &Intersection,
+        distance: f64,
+        pixel: f64,
+    ) -> Option<(usize, Vec<Screen>)> {
+        if light.runs_parallel() {
+            return None;
+        }
+        let (cell, width) = Cell::around(number, surface, PIXELS * pixel * distance)?;
+        if self.cells.is_empty() {
+            self.cells.resize(CELLS, Shaft::default());
+        }
+        let slot = cell.slot();
+        let shaft = &mut self.cells[slot];
+        if shaft.cell != cell || shaft.asked == 0 {
+            *shaft = Shaft { cell, asked: 0, among: None };
+        }
+        shaft.asked = shaft.asked.saturating_add(1);
+        let worth = if light.area.is_some() { 1 } else { WORTH };
+        if shaft.asked == worth {
+            let hull = cell.hull(width, light);
+            shaft.among = hull.and_then(|hull| geometry.between(&hull)).map(|found| found.to_vec());
+        }
+        Some((slot, shaft.among.take()?))
+    }
+
+    /// Takes back what was lent.
+    pub(super) fn back(&mut self, (slot, among): (usize, Vec<Screen>)) {
+        self.cells[slot].among = Some(among);
+    }
+}
+
+impl Cell {
+    /// The cell around a point of a surface, at least so wide, and its width.
+    fn around(light: u32, surface: &Intersection, width: f64) -> Option<(Self, f64)> {
+        let size = (width.to_bits() >> 52) as i32 - 1022;
+        let width = f64::from_bits(((size + 1023) as u64) << 52);
+        let place = (surface.point / width).floor();
+        let known = width.is_normal() && place.abs().max_element() < 1e15 && surface.error < ROOM * width;
+        known.then(|| (Self { light, size, place: place.to_array().map(|x| x as i64) }, width))
+    }
+
+    /// Where it is remembered.
+    fn slot(&self) -> usize {
+        let Self { light, size, place: [x, y, z] } = *self;
+        let mixed = [i64::from(light), i64::from(size), x, y, z].into_iter().fold(0_u64, |mixed, number| {
+            (mixed.rotate_left(23) ^ number as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        });
+        (mixed >> 32) as usize % CELLS
+    }
+
+    /// What encloses all ways from the cell to a lamp.
+    fn hull(&self, width: f64, light: &Light) -> Option<Hull> {
+        let low = DVec3::from_array(self.place.map(|x| x as f64)) * width;
+        let cell = Bounds::new(low - ROOM * width, low + (1.0 + ROOM) * width);
+        let mut points = Points::from_slice(&[light.location, cell.center()]);
+        points.extend(cell.corners());
+        match &light.area {
+            Some(area) if area.orient => {
+                let radius = DVec3::splat(area.radius());
+                points.extend(Bounds::new(light.location - radius, light.location + radius).corners());
+            }
+            Some(area) => points.extend(area.corners(area.axes).map(|corner| light.location + corner)),
+            None => {}
+        }
+        points.iter().all(|point| point.is_finite()).then(|| Hull::new(points))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cell_holds_the_point_it_is_around() {
+        for (point, wanted) in [(0.3, 0.25), (-7.1, 1.0), (1e6, 3e-3), (-1e-9, 1e-12)] {
+            let surface = Intersection::in_space(DVec3::new(point, -point, 0.0));
+            let (cell, width) = Cell::around(1, &surface, wanted).unwrap();
+            assert!(width >= wanted && width <= 2.0 * wanted, "{wanted}: {width}");
+            let low = cell.place.map(|x| x as f64 * width);
+            assert!(low[0] <= point && point <= low[0] + width, "{point} {low:?}");
+            assert!(low[1] <= -point && -point <= low[1] + width, "{point} {low:?}");
+        }
+        // Where rounding may move points out of it there is none.
+        assert_eq!(Cell::around(1, &Intersection::in_space(DVec3::splat(1e9)), 1e-9), None);
+        assert_eq!(Cell::around(1, &Intersection::in_space(DVec3::ZERO), 0.0), None);
+        assert_eq!(Cell::around(1, &Intersection::in_space(DVec3::NAN), 1.0), None);
+    }
+}
