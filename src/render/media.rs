@@ -3,6 +3,7 @@
 
 mod adaptive;
 mod intervals;
+mod lamps;
 mod sample;
 mod shade;
 mod strata;
@@ -18,7 +19,7 @@ use crate::world::atmosphere::Veil;
 use crate::world::media::{Method, Sampling};
 use crate::world::{Light, Media, Range, Ray, World};
 pub(super) use intervals::{Beam, Between};
-use intervals::{Interval, intervals};
+use intervals::{Interval, Shadow, intervals};
 use sample::Sample;
 
 /// When no more than this is left of the light from behind, what lies behind isn't looked at.
@@ -138,6 +139,18 @@ impl Tracer<'_> {
         }
     }
 
+    /// The optical depth of a unit of an object's filling, if the object is a clear, convex shell that
+    /// alone is around a stretch, and its filling takes light the same way everywhere.
+    fn shell(&self, object: u32, inside: &Inside) -> Option<Rgb> {
+        let leaf = self.world.geometry.shell(object)?;
+        let interior = &self.world.interiors[leaf.interior as usize];
+        let plain = interior.caustics == 0.0 && interior.fade.is_none() && interior.hollow;
+        let even = interior.media.iter().all(|media| media.density.is_uniform());
+        let alone = inside.is_only(leaf.interior);
+        let depth = |media: &Media| media.density.uniform * media.extinction;
+        (plain && even && alone).then(|| interior.media.iter().map(depth).sum())
+    }
+
     /// The lamps that reach a stretch, and where (docs/spec/atmosphere-gi.md 2.5).
     fn look_for_lamps(&self, march: &mut March) {
         let (stretch, geometry) = (march.stretch, &self.world.geometry);
@@ -147,24 +160,38 @@ impl Tracer<'_> {
                 continue;
             }
             let Some(reach) = light.reach(&stretch.ray, stretch.length) else { continue };
+            let margin = stretch.length * march.rule.jitter.abs();
             let hull = if march.scatters { bundle(stretch, march.rule, light, reach) } else { None };
+            let one_place = light.area.is_none() && !light.runs_parallel();
+            let simple = one_place && light.projected_through.is_none();
+            let simple = simple && self.quality.shadows && !self.dims(light);
             let among = hull.and_then(|hull| geometry.between(&hull)).map(|among| {
                 let first = march.between.len();
-                if light.area.is_some() || light.runs_parallel() {
-                    let anywhere = |screen| Between { screen, shade: Range::LINE, view: None };
-                    march.between.extend(among.into_iter().map(anywhere));
-                } else {
-                    march.between.extend(among.into_iter().filter_map(|screen| {
+                for screen in among {
+                    let mut shade = Range::LINE;
+                    if one_place {
                         let bounds = geometry.bounds(screen.object);
-                        let shade = shade::shade(&bounds, &stretch.ray, light.location)?;
-                        // What is behind a window that a lamp shines through doesn't matter.
-                        let view = light.projected_through.is_none().then(|| screen.from(light.location));
-                        Some(Between { screen, shade, view })
-                    }));
+                        match shade::shade(&bounds, &stretch.ray, light.location) {
+                            Some(found)
+                                if !(found.max < reach.min - margin || found.min > reach.max + margin) =>
+                            {
+                                shade = found;
+                            }
+                            _ => continue,
+                        }
+                    }
+                    let whole = simple && geometry.hides_a_stretch(screen.object, light.location);
+                    march.between.push(Between {
+                        screen,
+                        shade,
+                        view: screen.from(light.location),
+                        shadow: whole.then(Shadow::default),
+                        shell: if simple { self.shell(screen.object, stretch.inside) } else { None },
+                    });
                 }
                 first..march.between.len()
             });
-            march.beams.push(Beam { light: number, reach, among });
+            march.beams.push(Beam { light: number, reach, among, simple });
         }
     }
 }

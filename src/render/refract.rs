@@ -52,6 +52,11 @@ impl Inside {
         self.0.contains(&interior)
     }
 
+    /// Whether the ray is inside of `interior` and nothing else.
+    pub(super) fn is_only(&self, interior: u32) -> bool {
+        self.0[..] == [interior]
+    }
+
     /// Whether there is nothing around but air.
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -136,7 +136,8 @@ impl Tracer<'_> {
             }
         }
         let surface = &surface;
-        let mut at = At { path, hit, surface, leaf, attenuation, passage: None, plain: false, arrivals: None };
+        let mut at =
+            At { path, hit, surface, leaf, attenuation, passage: None, plain: false, arrivals: None };
         let mut sum = Sum::default();
         if let Some(layers) = textures::layers(world, leaf, surface) {
             self.statistics.texture_evaluations += 1;

@@ -13,6 +13,7 @@ use crate::math::Rgb;
 use crate::world::hit::{Among, Hit};
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::LeafFlags;
+use crate::world::screen::{SHUT, Screen, sift};
 use crate::world::{Intersection, Light, Range, Ray};
 
 /// The last part of the way to a light, where the surface that it lies on is not in its way.
@@ -30,6 +31,13 @@ pub(super) struct Target<'a> {
     pub(super) among: Option<Among<'a>>,
 }
 
+/// The way to a light.
+#[inline]
+pub(super) fn way(surface: &Intersection, incident: &Incident) -> (Ray, Range) {
+    let ray = Ray::new(surface.leave(incident.direction), incident.direction);
+    (ray, Range { min: 0.0, max: incident.distance * (1.0 - LAST) - surface.error })
+}
+
 impl Tracer<'_> {
     /// The light that arrives from `light`, given what would arrive if nothing were in the way.
     pub(super) fn unblocked(&mut self, at: &Target, number: u32, incident: &Incident) -> Rgb {
@@ -44,14 +52,49 @@ impl Tracer<'_> {
         let geometry = &self.world.geometry;
         let shaft = self.shafts.take(geometry, (number, light), at.surface, hit.t, self.pixel);
         if let Some(shaft) = shaft {
-            let among = Some(Among::Screens(&shaft.1));
-            let color = self.known_unblocked(&Target { among, ..*at }, light, incident);
+            let color = match light.area {
+                None if light.projected_through.is_none() => {
+                    self.past(at, hit.object, &shaft.1, light, incident)
+                }
+                _ => {
+                    let among = Some(Among::Screens(&shaft.1));
+                    self.known_unblocked(&Target { among, ..*at }, light, incident)
+                }
+            };
             self.shafts.back(shaft);
             return color;
         }
         let among = self.between(at, light, incident);
         let among = among.as_deref().map(Among::Screens);
         self.known_unblocked(&Target { among, ..*at }, light, incident)
+    }
+
+    /// The same where only `screens` may be in the way, for a lamp of one place and a hit of an object.
+    fn past(
+        &mut self,
+        at: &Target,
+        object: u32,
+        screens: &[Screen],
+        light: &Light,
+        incident: &Incident,
+    ) -> Rgb {
+        let surface = at.surface;
+        let outside = !surface.inside && incident.direction.dot(surface.geometric) > 0.0;
+        let left = outside && self.world.geometry.is_left_for_good(object);
+        let seen = screens.iter().filter(|screen| !(left && screen.object == object));
+        let seen = seen.map(|screen| (screen, Some(screen.as_seen())));
+        let way = surface.leave(incident.direction) - light.location;
+        let mut near = std::mem::take(&mut self.near);
+        let verdict = sift(seen, way, &mut near);
+        let color = if verdict == SHUT {
+            self.statistics.shadow_rays += 1;
+            Rgb::ZERO
+        } else {
+            let among = Some(Among::Near(&near));
+            self.known_unblocked(&Target { among, ..*at }, light, incident)
+        };
+        self.near = near;
+        color
     }
 
     /// The same where what may be in the way was looked for.
@@ -72,8 +115,7 @@ impl Tracer<'_> {
 
     /// Follows a straight ray towards a light.
     fn shadow_ray(&mut self, at: &Target, light: &Light, incident: &Incident) -> Rgb {
-        let ray = Ray::new(at.surface.leave(incident.direction), incident.direction);
-        let mut range = Range { min: 0.0, max: incident.distance * (1.0 - LAST) - at.surface.error };
+        let (ray, mut range) = way(at.surface, incident);
         if let Some(object) = light.projected_through {
             match self.world.geometry.object_distance(object, &ray, range) {
                 Some(distance) => range.max = distance,
@@ -139,7 +181,7 @@ impl Tracer<'_> {
     }
 
     /// Whether the air takes of a lamp's light.
-    fn dims(&self, light: &Light) -> bool {
+    pub(super) fn dims(&self, light: &Light) -> bool {
         self.quality.atmosphere
             && light.media_attenuation
             && light.media_interaction

@@ -17,6 +17,9 @@ use crate::options::Accelerator;
 /// Up to this many objects that may throw a shadow are kept for the many rays of a bundle.
 const FEW: usize = 12;
 
+/// Lamps that are nearer to a box, in parts of its size, may touch what is in it.
+const ASIDE: f64 = 1e-6;
+
 /// Objects that may throw a shadow.
 pub type Nearby = SmallVec<[Screen; FEW]>;
 
@@ -251,6 +254,35 @@ impl Geometry {
             }
             Member::Group(_) => false,
         }
+    }
+
+    /// The leaf of an object that is a convex solid through whose surface light passes unchanged.
+    pub fn shell(&self, number: u32) -> Option<&Leaf> {
+        let Member::Leaf(leaf) = self.parts.objects[number as usize].member else { return None };
+        let leaf = self.parts.leaf(leaf);
+        let clear = leaf.flags.contains(LeafFlags::CLEAR) && !leaf.flags.contains(LeafFlags::OPAQUE);
+        (clear && leaf.is_convex() && !leaf.hidden.intersects(RayKind::SHADOW)).then_some(leaf)
+    }
+
+    /// Where a ray crosses the surface of a [`shell`](Self::shell), if it does so once.
+    pub fn way_out(&self, number: u32, ray: &Ray, range: Range) -> Option<f64> {
+        let leaf = self.shell(number)?;
+        match leaf.primitive.convex(&leaf.asked(ray))??.ends(range) {
+            [Some(end), None] | [None, Some(end)] => Some(end.t),
+            _ => None,
+        }
+    }
+
+    /// Whether the points of any line that an object hides from a lamp are next to each other: it is
+    /// convex, opaque, and not around the lamp.
+    pub fn hides_a_stretch(&self, number: u32, lamp: DVec3) -> bool {
+        let object = &self.parts.objects[number as usize];
+        let Member::Leaf(leaf) = object.member else { return false };
+        let Bounds { min, max } = self.parts.extent(object.member).bounds;
+        let room = ASIDE * (max - min);
+        object.opaque
+            && self.parts.leaf(leaf).is_convex()
+            && !Bounds { min: min - room, max: max + room }.contains(lamp)
     }
 
     /// The same as [`occluders`](Self::occluders) where it is known that only objects of `among` may

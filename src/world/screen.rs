@@ -69,10 +69,10 @@ impl Screen {
         Some(Self { object: number, center, outer, inner, eye, view })
     }
 
-    /// Whether it ends on every side.
+    /// How it is seen from the point that most ways lead to.
     #[inline]
-    pub fn is_bounded(&self) -> bool {
-        self.outer < f64::INFINITY
+    pub fn as_seen(&self) -> &View {
+        &self.view
     }
 
     /// The screen as seen from a point.

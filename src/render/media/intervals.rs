@@ -1,13 +1,15 @@
 //! How a stretch is cut into intervals: where lamps begin and end to light it, and as often as the
 //! media ask for (docs/spec/atmosphere-gi.md 2.5 and 2.6).
 
+use std::cell::Cell;
 use std::ops::Range as Span;
 
 use smallvec::SmallVec;
 
+use crate::math::Rgb;
 use crate::world::Range;
 use crate::world::media::Sampling;
-use crate::world::screen::{Screen, View};
+use crate::world::screen::{OPEN, SHUT, Screen, UNKNOWN, Verdict, View};
 
 /// A lamp and the part of a stretch it may light.
 #[derive(Clone, Debug)]
@@ -18,6 +20,8 @@ pub(in crate::render) struct Beam {
     pub(super) reach: Range,
     /// The objects that may stand between, where they are few: their places in a march's list.
     pub(super) among: Option<Span<usize>>,
+    /// Whether all light comes from one place through clear air.
+    pub(super) simple: bool,
 }
 
 /// An object that may stand between a stretch and a lamp.
@@ -26,8 +30,56 @@ pub(in crate::render) struct Between {
     pub(super) screen: Screen,
     /// Between which distances it may.
     pub(super) shade: Range,
-    /// How the lamp sees it, if all light comes from one place.
-    pub(super) view: Option<View>,
+    /// How the middle of the lamp sees it.
+    pub(super) view: View,
+    /// What samples have shown, if all points in its shadow are next to each other.
+    pub(super) shadow: Option<Shadow>,
+    /// The optical depth of a unit of its filling, if its border is all that light comes through, and
+    /// it is all that is around the stretch.
+    pub(super) shell: Option<Rgb>,
+}
+
+/// What is known of a shadow without gaps on a stretch, by distances: the samples found in the light
+/// before it and after it, and the first and last ones found in it.
+#[derive(Clone, Debug)]
+pub(in crate::render) struct Shadow {
+    open: Cell<[f64; 2]>,
+    shut: Cell<[f64; 2]>,
+}
+
+impl Default for Shadow {
+    fn default() -> Self {
+        let open = Cell::new([f64::NEG_INFINITY, f64::INFINITY]);
+        Self { open, shut: Cell::new([f64::INFINITY, f64::NEG_INFINITY]) }
+    }
+}
+
+impl Shadow {
+    /// Whether a sample is in the shadow, as far as others tell.
+    #[inline]
+    pub(super) fn verdict(&self, s: f64) -> Verdict {
+        let ([first, last], [before, after]) = (self.shut.get(), self.open.get());
+        if first <= s && s <= last {
+            SHUT
+        } else if s <= before || after <= s {
+            OPEN
+        } else {
+            UNKNOWN
+        }
+    }
+
+    /// Takes note of a verdict on a sample.
+    #[inline]
+    pub(super) fn note(&self, s: f64, verdict: Verdict) {
+        let ([first, last], [before, after]) = (self.shut.get(), self.open.get());
+        if verdict == SHUT {
+            self.shut.set([first.min(s), last.max(s)]);
+        } else if s < first && first <= last {
+            self.open.set([before.max(s), after]);
+        } else if last < s && first <= last {
+            self.open.set([before, after.min(s)]);
+        }
+    }
 }
 
 /// A part of a stretch that is sampled for itself.
@@ -115,11 +167,24 @@ mod tests {
     }
 
     fn beam(min: f64, max: f64) -> Beam {
-        Beam { light: 0, reach: Range { min, max }, among: None }
+        Beam { light: 0, reach: Range { min, max }, among: None, simple: true }
     }
 
     fn shown(intervals: impl Iterator<Item = Interval>) -> Vec<(f64, f64, bool)> {
         intervals.map(|i| (i.start, i.length, i.lit)).collect()
+    }
+
+    #[test]
+    fn samples_between_dark_ones_are_dark_and_those_beyond_light_ones_light() {
+        let shadow = Shadow::default();
+        shadow.note(1.0, OPEN);
+        assert_eq!(shadow.verdict(0.5), UNKNOWN);
+        shadow.note(3.0, SHUT);
+        shadow.note(5.0, SHUT);
+        shadow.note(2.0, OPEN);
+        shadow.note(6.0, OPEN);
+        let found = [1.5, 2.5, 4.0, 5.5, 7.0].map(|s| shadow.verdict(s));
+        assert_eq!(found, [OPEN, UNKNOWN, SHUT, UNKNOWN, OPEN]);
     }
 
     #[test]

@@ -4,11 +4,8 @@ use std::ops::{Add, Mul};
 
 use super::March;
 use crate::math::{DVec3, Rgb};
-use crate::render::shadow::Target;
 use crate::render::trace::Tracer;
-use crate::world::hit::Among;
-use crate::world::screen::{SHUT, sift};
-use crate::world::{Intersection, Media};
+use crate::world::Media;
 
 /// Light that media send to the eye, and the optical depth: per unit of length, or of an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,51 +75,5 @@ impl Tracer<'_> {
         self.statistics.media_samples += 1;
         let point = march.stretch.ray.at(s);
         march.stretch.media.iter().map(|media| media.density.at(point) * media.extinction).sum()
-    }
-
-    /// The light of lamps at a point of a march, each weighted by its share that goes to the eye.
-    fn lamps(&mut self, march: &March, point: DVec3, s: f64) -> Rgb {
-        let stretch = march.stretch;
-        let surface = Intersection::in_space(point);
-        let target = Target { surface: &surface, hit: None, inside: stretch.inside, among: None };
-        let mut sum = Rgb::ZERO;
-        for beam in march.beams.iter().filter(|beam| beam.reach.min <= s && s <= beam.reach.max) {
-            let light = &self.world.lights[beam.light as usize];
-            let incident = light.reaching(point);
-            if incident.is_dark() {
-                self.statistics.lights_dark += 1;
-                continue;
-            }
-            let cosine = stretch.ray.direction.dot(incident.direction);
-            let shares: f32 = stretch.media.iter().map(|media| media.phase.share(cosine)).sum();
-            let share = shares / stretch.media.len() as f32;
-            if share != 0.0 {
-                let Some(span) = beam.among.clone() else {
-                    sum += share * self.unblocked(&target, beam.light, &incident);
-                    continue;
-                };
-                let between = march.between[span].iter().filter(|between| between.shade.contains(s));
-                if light.area.is_some() {
-                    let mut screens = std::mem::take(&mut self.screens);
-                    screens.clear();
-                    screens.extend(between.map(|between| between.screen));
-                    let target = Target { among: Some(Among::Screens(&screens)), ..target };
-                    sum += share * self.unblocked(&target, beam.light, &incident);
-                    self.screens = screens;
-                    continue;
-                }
-                let mut near = std::mem::take(&mut self.near);
-                let seen = between.map(|between| (&between.screen, between.view.as_ref()));
-                let verdict = sift(seen, point - light.location, &mut near);
-                if verdict == SHUT && self.quality.shadows {
-                    self.statistics.shadow_rays += 1;
-                } else {
-                    let target = Target { among: Some(Among::Near(&near)), ..target };
-                    sum += share * self.unblocked(&target, beam.light, &incident);
-                }
-                self.near = near;
-            }
-        }
-        sum
     }
 }

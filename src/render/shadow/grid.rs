@@ -6,7 +6,7 @@ use crate::math::wide::widest;
 use crate::math::{DVec2, DVec3, Rgb};
 use crate::render::trace::Tracer;
 use crate::world::accel::{Hull, Points};
-use crate::world::hit::{Among, Geometry, Nearby};
+use crate::world::hit::{Among, Nearby};
 use crate::world::light::{AreaLight, Incident};
 use crate::world::screen::{Cone, OPEN, SHUT, Screen, UNKNOWN, Verdict, View, sift};
 use crate::world::{Intersection, Light};
@@ -16,6 +16,10 @@ const UNEVEN: f32 = 0.1;
 
 /// From so many rays to an area light on it is worth while to look first what may be in their way.
 const MANY_RAYS: u32 = 4;
+
+/// From so many rays to an area light on it is worth while to look again what may be in the way of
+/// those from one point.
+const VERY_MANY_RAYS: u32 = 16;
 
 /// What the places of a grid show, and the room to find that out.
 #[derive(Debug, Default)]
@@ -122,7 +126,14 @@ impl Tracer<'_> {
                 _ => around.push((*screen, view)),
             }
         }
-        around.retain(|(screen, _)| screen.is_bounded() || !grid.is_apart_from(geometry, screen, origin));
+        if !around.is_empty() {
+            let points = grid.points(origin);
+            around.retain(|(screen, _)| !geometry.is_apart_from(screen.object, &points));
+        }
+        if grid.area.least_rays() >= VERY_MANY_RAYS && !around.is_empty() {
+            let hull = Hull::new(grid.points(origin).into_iter().collect());
+            around.retain(|(screen, _)| hull.meets(&geometry.bounds(screen.object)));
+        }
         if around.is_empty() { OPEN } else { UNKNOWN }
     }
 
@@ -224,11 +235,11 @@ impl Tracer<'_> {
 }
 
 impl Grid<'_> {
-    /// Whether no way from a point to a place of the grid can meet the screen.
-    fn is_apart_from(&self, geometry: &Geometry, screen: &Screen, origin: DVec3) -> bool {
+    /// A point and corners around all places.
+    fn points(&self, point: DVec3) -> [DVec3; 5] {
         let [a, b, c, d] = self.area.corners(self.axes);
-        let at = self.light.location;
-        geometry.is_apart_from(screen.object, &[origin, at + a, at + b, at + c, at + d])
+        let middle = self.light.location;
+        [point, middle + a, middle + b, middle + c, middle + d]
     }
 }
 

@@ -1,5 +1,7 @@
 //! What may be in the way of light to a cell of space: found once for the many rays that start there.
 
+use std::ops::Range;
+
 use crate::math::{Bounds, DVec3};
 use crate::world::accel::{Hull, Points};
 use crate::world::hit::Geometry;
@@ -18,6 +20,12 @@ const WORTH: u32 = 3;
 /// How far points of a cell may be moved out of it, in parts of its width.
 const ROOM: f64 = 1e-6;
 
+/// Exponents of widths that have an inverse.
+const EXPONENTS: Range<u64> = 64..1984;
+
+/// Cells farther from the origin, in widths, are none.
+const MOST: f64 = 1e9;
+
 /// What was found out about cells.
 #[derive(Debug, Default)]
 pub(in crate::render) struct Shafts {
@@ -28,9 +36,9 @@ pub(in crate::render) struct Shafts {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Cell {
     light: u32,
-    /// The power of two that is its width.
+    /// The exponent of half its width.
     size: i32,
-    place: [i64; 3],
+    place: [i32; 3],
 }
 
 /// What is between a cell and a lamp.
@@ -85,25 +93,30 @@ impl Shafts {
 impl Cell {
     /// The cell around a point of a surface, at least so wide, and its width.
     fn around(light: u32, surface: &Intersection, width: f64) -> Option<(Self, f64)> {
-        let size = (width.to_bits() >> 52) as i32 - 1022;
-        let width = f64::from_bits(((size + 1023) as u64) << 52);
-        let place = (surface.point / width).floor();
-        let known = width.is_normal() && place.abs().max_element() < 1e15 && surface.error < ROOM * width;
-        known.then(|| (Self { light, size, place: place.to_array().map(|x| x as i64) }, width))
+        let exponent = width.to_bits() >> 52;
+        if !EXPONENTS.contains(&exponent) {
+            return None;
+        }
+        let (width, inverse) =
+            (f64::from_bits((exponent + 1) << 52), f64::from_bits((2045 - exponent) << 52));
+        let DVec3 { x, y, z } = surface.point * inverse;
+        let known = x.abs().max(y.abs()).max(z.abs()) < MOST && surface.error < ROOM * width;
+        let place = [floor(x), floor(y), floor(z)];
+        known.then_some((Self { light, size: exponent as i32, place }, width))
     }
 
     /// Where it is remembered.
     fn slot(&self) -> usize {
         let Self { light, size, place: [x, y, z] } = *self;
-        let mixed = [i64::from(light), i64::from(size), x, y, z].into_iter().fold(0_u64, |mixed, number| {
-            (mixed.rotate_left(23) ^ number as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)
-        });
-        (mixed >> 32) as usize % CELLS
+        let mix = |mixed: u32, number: u32| (mixed.rotate_left(11) ^ number).wrapping_mul(0x9e37_79b9);
+        let mixed = mix(mix(mix(mix(light, size as u32), x as u32), y as u32), z as u32);
+        (mixed >> 16) as usize % CELLS
     }
 
     /// What encloses all ways from the cell to a lamp.
     fn hull(&self, width: f64, light: &Light) -> Option<Hull> {
-        let low = DVec3::from_array(self.place.map(|x| x as f64)) * width;
+        let [x, y, z] = self.place;
+        let low = DVec3::new(f64::from(x), f64::from(y), f64::from(z)) * width;
         let cell = Bounds::new(low - ROOM * width, low + (1.0 + ROOM) * width);
         let mut points = Points::from_slice(&[light.location, cell.center()]);
         points.extend(cell.corners());
@@ -119,6 +132,13 @@ impl Cell {
     }
 }
 
+/// The next whole number below.
+#[inline]
+fn floor(x: f64) -> i32 {
+    let toward_zero = x as i32;
+    toward_zero - i32::from(f64::from(toward_zero) > x)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -129,7 +149,7 @@ mod tests {
             let surface = Intersection::in_space(DVec3::new(point, -point, 0.0));
             let (cell, width) = Cell::around(1, &surface, wanted).unwrap();
             assert!(width >= wanted && width <= 2.0 * wanted, "{wanted}: {width}");
-            let low = cell.place.map(|x| x as f64 * width);
+            let low = cell.place.map(|x| f64::from(x) * width);
             assert!(low[0] <= point && point <= low[0] + width, "{point} {low:?}");
             assert!(low[1] <= -point && -point <= low[1] + width, "{point} {low:?}");
         }

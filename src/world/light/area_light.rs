@@ -101,9 +101,7 @@ impl AreaLight {
             (true, true) => a.max(b) * u.max(v),
             (true, false) => (a * u).hypot(b * v),
             (false, true) => a.hypot(b) * u.max(v),
-            (false, false) => {
-                self.corners(self.axes).into_iter().map(DVec3::length).fold(0.0, f64::max)
-            }
+            (false, false) => self.corners(self.axes).into_iter().map(DVec3::length).fold(0.0, f64::max),
         }
     }
 
