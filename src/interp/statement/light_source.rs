@@ -12,6 +12,9 @@ use crate::scene::object::ObjectFlags;
 use crate::scene::{Object, Shape};
 use crate::source::Span;
 
+/// Lengths of axes that differ by less, relative to them, are the same but for rounding.
+const ALIKE: f64 = 1e-10;
+
 /// Reads the rest of the statement after its brace.
 pub(super) fn read(vm: &mut Vm<'_>, block: Block) -> Result<Object> {
     let location = vm.read_vector()?;
@@ -49,6 +52,19 @@ pub(super) fn read(vm: &mut Vm<'_>, block: Block) -> Result<Object> {
             "write `circular` too",
         );
         area.circular = true;
+    }
+    if let Some(area) = &mut light.area
+        && area.orient
+    {
+        let [first, second] = area.axes.map(DVec3::length);
+        if (first - second).abs() > ALIKE * first.max(second) {
+            vm.warn(
+                block.span,
+                "the axes of an area light that can `orient` have the same length: that of the first one",
+                "write a second axis as long as the first",
+            );
+            area.axes[1] *= if second > 0.0 { first / second } else { 0.0 };
+        }
     }
     Ok(Object::new(block.span, Shape::Light(Arc::new(light))))
 }
