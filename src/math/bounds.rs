@@ -80,14 +80,17 @@ impl Bounds {
 
     /// The eight corners.
     pub fn corners(self) -> [DVec3; 8] {
-        std::array::from_fn(|i| {
-            let pick = |bit: usize, low: f64, high: f64| if i >> bit & 1 == 0 { low } else { high };
-            DVec3::new(
-                pick(0, self.min.x, self.max.x),
-                pick(1, self.min.y, self.max.y),
-                pick(2, self.min.z, self.max.z),
-            )
-        })
+        let (DVec3 { x: a, y: b, z: c }, DVec3 { x: p, y: q, z: r }) = (self.min, self.max);
+        [
+            DVec3::new(a, b, c),
+            DVec3::new(p, b, c),
+            DVec3::new(a, q, c),
+            DVec3::new(p, q, c),
+            DVec3::new(a, b, r),
+            DVec3::new(p, b, r),
+            DVec3::new(a, q, r),
+            DVec3::new(p, q, r),
+        ]
     }
 
     /// A box around the image of this one; all of space where this one is unbounded.

@@ -9,7 +9,7 @@ pub(super) use shafts::Shafts;
 use super::refract::Inside;
 use super::textures;
 use super::trace::Tracer;
-use crate::math::Rgb;
+use crate::math::{DVec3, Rgb};
 use crate::world::hit::{Among, Hit};
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::LeafFlags;
@@ -31,11 +31,11 @@ pub(super) struct Target<'a> {
     pub(super) among: Option<Among<'a>>,
 }
 
-/// The way to a light.
+/// The way to a light from a point that rounding may have moved by `error`.
 #[inline]
-pub(super) fn way(surface: &Intersection, incident: &Incident) -> (Ray, Range) {
-    let ray = Ray::new(surface.leave(incident.direction), incident.direction);
-    (ray, Range { min: 0.0, max: incident.distance * (1.0 - LAST) - surface.error })
+pub(super) fn way(from: DVec3, error: f64, incident: &Incident) -> (Ray, Range) {
+    let range = Range { min: 0.0, max: incident.distance * (1.0 - LAST) - error };
+    (Ray::new(from, incident.direction), range)
 }
 
 impl Tracer<'_> {
@@ -115,7 +115,8 @@ impl Tracer<'_> {
 
     /// Follows a straight ray towards a light.
     fn shadow_ray(&mut self, at: &Target, light: &Light, incident: &Incident) -> Rgb {
-        let (ray, mut range) = way(at.surface, incident);
+        let from = at.surface.leave(incident.direction);
+        let (ray, mut range) = way(from, at.surface.error, incident);
         if let Some(object) = light.projected_through {
             match self.world.geometry.object_distance(object, &ray, range) {
                 Some(distance) => range.max = distance,

@@ -26,8 +26,14 @@ pub struct Intersection {
 impl Intersection {
     /// A point in space, where media are lit: rays leave it in all directions.
     pub fn in_space(point: DVec3) -> Self {
-        let error = ROUNDING * point.abs().max_element();
+        let error = Self::rounding(point);
         Self { point, textured: point, error, normal: DVec3::ZERO, geometric: DVec3::ZERO, inside: false }
+    }
+
+    /// How far rounding may have moved a point in space.
+    #[inline]
+    pub fn rounding(point: DVec3) -> f64 {
+        ROUNDING * point.abs().max_element()
     }
 
     /// Where a ray in `direction` starts that leaves the surface here.

@@ -14,7 +14,7 @@ impl Tracer<'_> {
     /// The light of lamps at a point of a march, each weighted by its share that goes to the eye.
     pub(super) fn lamps(&mut self, march: &March, point: DVec3, s: f64) -> Rgb {
         let stretch = march.stretch;
-        let surface = Intersection::in_space(point);
+        let error = Intersection::rounding(point);
         let mut sum = Rgb::ZERO;
         for beam in &march.beams {
             if s < beam.reach.min || beam.reach.max < s {
@@ -39,7 +39,7 @@ impl Tracer<'_> {
                 * match &beam.among {
                     Some(among) if beam.simple => {
                         let between = &march.between[among.clone()];
-                        self.past_objects(march, (between, s), beam, light, &surface, &incident)
+                        self.past_objects(march, (between, s), beam, light, (point, error), &incident)
                     }
                     Some(among) => {
                         let mut screens = std::mem::take(&mut self.screens);
@@ -48,19 +48,28 @@ impl Tracer<'_> {
                         let between = between.filter(|between| between.shade.contains(s));
                         screens.extend(between.map(|between| between.screen));
                         let among = Some(Among::Screens(&screens));
-                        let target = Target { surface: &surface, hit: None, inside: stretch.inside, among };
-                        let color = self.unblocked(&target, beam.light, &incident);
+                        let color = self.in_space(march, point, beam, &incident, among);
                         self.screens = screens;
                         color
                     }
-                    None => {
-                        let inside = stretch.inside;
-                        let target = Target { surface: &surface, hit: None, inside, among: None };
-                        self.unblocked(&target, beam.light, &incident)
-                    }
+                    None => self.in_space(march, point, beam, &incident, None),
                 };
         }
         sum
+    }
+
+    /// What comes from any lamp.
+    fn in_space(
+        &mut self,
+        march: &March,
+        point: DVec3,
+        beam: &Beam,
+        incident: &Incident,
+        among: Option<Among>,
+    ) -> Rgb {
+        let surface = Intersection::in_space(point);
+        let target = Target { surface: &surface, hit: None, inside: march.stretch.inside, among };
+        self.unblocked(&target, beam.light, incident)
     }
 
     /// What comes from a simple lamp past the objects between.
@@ -71,12 +80,12 @@ impl Tracer<'_> {
         (between, s): (&[Between], f64),
         beam: &Beam,
         light: &Light,
-        surface: &Intersection,
+        (point, error): (DVec3, f64),
         incident: &Incident,
     ) -> Rgb {
         let geometry = &self.world.geometry;
-        let way = (surface.point - light.location).to_array();
-        let (ray, range) = shadow::way(surface, incident);
+        let way = (point - light.location).to_array();
+        let (ray, range) = shadow::way(point, error, incident);
         let mut near = std::mem::take(&mut self.near);
         near.clear();
         let (mut shut, mut last) = (false, None);
@@ -119,8 +128,7 @@ impl Tracer<'_> {
             let color = incident.color * transmittance(depth * length as f32);
             if is_dark(incident.color) { Rgb::ZERO } else { color }
         } else {
-            let (inside, among) = (march.stretch.inside, Some(Among::Near(&near)));
-            self.unblocked(&Target { surface, hit: None, inside, among }, beam.light, incident)
+            self.in_space(march, point, beam, incident, Some(Among::Near(&near)))
         };
         self.near = near;
         color

@@ -245,9 +245,15 @@ impl Grid<'_> {
 
 /// Where all rays to an area light start; `None` where some leave on the other side of the surface.
 fn origin(surface: &Intersection, light: &Light, area: &AreaLight, axes: [DVec3; 2]) -> Option<DVec3> {
-    let ways = area.corners(axes).map(|corner| light.location + corner - surface.point);
-    let origins = ways.map(|way| surface.leave(way));
-    origins.iter().all(|&origin| origin == origins[0]).then_some(origins[0])
+    // A loop: closures for arrays are not compiled together with what is around them.
+    let mut found = None;
+    for corner in area.corners(axes) {
+        let origin = surface.leave(light.location + corner - surface.point);
+        if *found.get_or_insert(origin) != origin {
+            return None;
+        }
+    }
+    found
 }
 
 impl Places {

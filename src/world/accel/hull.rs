@@ -25,17 +25,23 @@ impl Hull {
     /// The hull of at least three finite points.
     pub fn new(points: Points) -> Self {
         let sides = [points[1] - points[0], points[2] - points[0], points[2] - points[1]];
-        let across = |side: DVec3| DVec3::AXES.map(|axis| side.cross(axis));
-        let [[a, b, c], [d, e, f], [g, h, i]] = sides.map(across);
-        let axes = [sides[0].cross(sides[1]), a, b, c, d, e, f, g, h, i].map(|axis| {
-            let mut span = [f64::INFINITY, f64::NEG_INFINITY];
-            for point in &points {
-                let place = point.dot(axis);
-                span = [span[0].min(place), span[1].max(place)];
+        let mut axes = [(sides[0].cross(sides[1]), [f64::INFINITY, f64::NEG_INFINITY]); 10];
+        // Loops throughout: closures for arrays are not compiled together with what is around them.
+        for (number, side) in sides.into_iter().enumerate() {
+            axes[3 * number + 1].0 = DVec3::new(0.0, side.z, -side.y);
+            axes[3 * number + 2].0 = DVec3::new(-side.z, 0.0, side.x);
+            axes[3 * number + 3].0 = DVec3::new(side.y, -side.x, 0.0);
+        }
+        let mut bounds = Bounds::EMPTY;
+        for &point in &points {
+            bounds = Bounds { min: bounds.min.min(point), max: bounds.max.max(point) };
+            for (axis, [low, high]) in &mut axes {
+                let place = point.dot(*axis);
+                *low = if place < *low { place } else { *low };
+                *high = if place > *high { place } else { *high };
             }
-            (axis, span)
-        });
-        Self { bounds: Bounds::of(points.iter().copied()), axes, points }
+        }
+        Self { bounds, axes, points }
     }
 
     /// The points it was made of.

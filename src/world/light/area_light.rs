@@ -94,8 +94,8 @@ impl AreaLight {
 
     /// No light of the grid is farther from the middle than this, jitter included.
     pub fn radius(&self) -> f64 {
-        let [a, b] = self.axes.map(DVec3::length);
-        let [u, v] = [self.reach(0), self.reach(1)];
+        let (a, b) = (self.axes[0].length(), self.axes[1].length());
+        let (u, v) = (self.reach(0), self.reach(1));
         // Turned grids have axes at right angles.
         match (self.orient, self.circular) {
             (true, true) => a.max(b) * u.max(v),

@@ -27,6 +27,11 @@ const SWOLLEN: f64 = 1e-10;
 /// would make a gap between flush solids.
 const SHRUNK: f64 = 16.0 * f64::EPSILON;
 
+/// Lines whose squared distance from the axis is greater miss whatever rounding does, and what far
+/// origins add to it.
+const MISSED: f64 = 1.0 + 1e-9;
+const BLUR: f64 = 1e-14;
+
 /// What the border of an open or closed one adds to its radius (squared) and length.
 #[inline]
 pub(super) fn border(open: bool) -> f64 {
@@ -46,6 +51,11 @@ impl Cylinder {
         let a = d.length_squared();
         if a == 0.0 {
             return (f.length_squared() <= 1.0).then_some(Stretch::LINE);
+        }
+        // Most lines miss by far: this is the distance from the axis, times that to the next.
+        let aside = f.perp_dot(d);
+        if aside * aside > a * (MISSED + BLUR * f.length_squared()) {
+            return None;
         }
         let b = f.dot(d);
         let distance = (f - (b / a) * d).length();
