@@ -263,6 +263,17 @@ fn lamps_with_nothing_between_need_no_shadow_rays() {
 }
 
 #[test]
+fn lamps_are_asked_for_only_where_something_may_be_between() {
+    let open = statistics("light_source{0 rgb 1} FLOOR");
+    assert_eq!(open.shadow_rays + open.lights_open, 192);
+    assert!(open.shadow_rays < 60, "{}", open.shadow_rays);
+    // A ball aside changes nothing, one between does.
+    let with = |place: &str| statistics(&format!("light_source{{0 rgb 1}} FLOOR sphere{{{place},.3}}"));
+    assert_eq!(with("<9,9,-9>").shadow_rays, open.shadow_rays);
+    assert!(with("2*z").shadow_rays > open.shadow_rays);
+}
+
+#[test]
 fn clear_surfaces_are_not_textured() {
     let counts = media("absorption 1", "");
     assert_eq!((counts.texture_evaluations, counts.shadow_textures, counts.shadow_rays), (0, 0, 0));

@@ -233,6 +233,35 @@ mod tests {
     }
 
     #[test]
+    fn signs_tell_of_every_surface_in_a_range() {
+        let ring = Torus { major: 0.75, minor: 0.25 };
+        let mut state = 9_u64;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
+        };
+        let (mut met, mut met_again) = (0, 0);
+        for _ in 0..20_000 {
+            let mut point = || 2.0 * DVec3::new(number(), number(), number());
+            let (ray, way) = (Ray::new(point(), point().normalize()), point().normalize());
+            let range = Range { min: 0.0, max: number().abs() * 4.0 };
+            let found = ring.nearest(&ray, range);
+            assert_eq!(ring.occludes(&ray, range), found.is_some(), "{ray:?} {range:?}");
+            // A ray that leaves the surface starts beside it.
+            if let Some(hit) = found {
+                let on = ring.reproject(ray.at(hit.t), &hit);
+                let normal = ring.normal(on, &hit).normalize();
+                let leaving = Ray::new(on + 3e-14 * normal * way.dot(normal).signum(), way);
+                let again = ring.nearest(&leaving, range).is_some();
+                assert_eq!(ring.occludes(&leaving, range), again, "{leaving:?} {range:?}");
+                met += 1;
+                met_again += u32::from(again);
+            }
+        }
+        assert!(met > 3000 && met_again > 1000, "{met} {met_again}");
+    }
+
+    #[test]
     fn a_ray_tangent_to_the_top_circle_hits_it() {
         // POV-Ray misses, or with `sturm` finds x = 0.999999995533311.
         table(
