@@ -7,8 +7,7 @@ use crate::math::Bounds;
 use crate::scene::depth::Nested;
 use crate::scene::object::ObjectFlags;
 use crate::scene::{Object, Shape};
-use crate::world::extent::Extent;
-use crate::world::object::{LeafFlags, Limits};
+use crate::world::object::{LeafFlags, Limits, Numbered};
 use crate::world::shape::Primitive;
 use crate::world::shape::r#box::Cuboid;
 use crate::world::{Leaf, Member, RayKind};
@@ -72,14 +71,14 @@ fn bounding_box(bounds: Bounds) -> Leaf {
     Leaf {
         primitive: Primitive::Box(Cuboid { min: bounds.min, max: bounds.max }),
         transform: None,
-        extent: Extent { bounds, beyond: false },
+        bounds: Some(Box::new(bounds)),
         reach: 0.0,
         limits: None,
-        parent: None,
+        parent: Numbered::NONE,
         flags: LeafFlags::SOLID,
         hidden: RayKind::empty(),
-        texture: None,
-        interior_texture: None,
+        texture: Numbered::NONE,
+        interior_texture: Numbered::NONE,
         own_textures: 0..0,
         interior: 0,
         lights: 0,

@@ -37,7 +37,7 @@ impl Flattener<'_> {
         let number = parts.groups.len() as u32;
         for &member in &members {
             match member {
-                Member::Leaf(leaf) => parts.leaves[leaf as usize].parent = Some(number),
+                Member::Leaf(leaf) => parts.leaves[leaf as usize].parent = Some(number).into(),
                 Member::Group(group) => parts.groups[group as usize].parent = Some(number),
             }
         }
@@ -80,7 +80,7 @@ impl Flattener<'_> {
     /// Where something may be that is clipped.
     pub(super) fn clipped(&self, extent: Extent, limits: Option<&Limits>) -> Extent {
         let clips = limits.map_or(&[][..], |limits| &limits.clips);
-        let clips = clips.iter().map(|&clip| *self.flat.parts.extent(clip));
+        let clips = clips.iter().map(|&clip| self.flat.parts.extent(clip));
         Extent::intersection(std::iter::once(extent).chain(clips))
     }
 }

@@ -6,6 +6,7 @@ use crate::math::{Bounds, DVec3, Transform};
 use crate::scene::object::ObjectFlags;
 use crate::scene::shape::{Csg, CsgOperation};
 use crate::scene::{Object, Shape};
+use crate::world::extent::half_space;
 use crate::world::shape::Shape as _;
 
 /// What POV-Ray takes for infinitely far.
@@ -84,28 +85,6 @@ impl Flattener<'_> {
         let infinite = common.is_empty() || common.size().max_element() > LONGEST;
         if infinite { EVERYWHERE } else { common }
     }
-}
-
-/// The box of what is below a plane, unbounded on all sides but one; components of the normal up
-/// to `flat` count as zero.
-pub(super) fn half_space(normal: DVec3, distance: f64, transform: Option<&Transform>, flat: f64) -> Bounds {
-    let (normal, distance) = match transform {
-        Some(transform) => {
-            let point = transform.point(normal * distance);
-            let normal = transform.normal(normal).normalize_or_zero();
-            (normal, normal.dot(point))
-        }
-        None => (normal, distance),
-    };
-    let mut bounds = Bounds::ALL;
-    let axis = normal.abs().max_position();
-    let axial = (0..3).all(|other| other == axis || normal[other].abs() <= flat);
-    if axial && normal[axis] > 0.0 {
-        bounds.max[axis] = distance / normal[axis];
-    } else if axial && normal[axis] < 0.0 {
-        bounds.min[axis] = distance / normal[axis];
-    }
-    bounds
 }
 
 fn placed(bounds: Bounds, transform: Option<&Transform>) -> Bounds {

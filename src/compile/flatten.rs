@@ -16,8 +16,12 @@ use crate::scene::settings::Settings;
 use crate::scene::shape::{Csg, CsgOperation, LightGroup};
 use crate::scene::{Interior, Light, Object, Shape, Texture};
 use crate::source::Span;
+use crate::world::object::Numbered;
 use crate::world::parts::{Object as Whole, Parts};
 use crate::world::{Member, RayKind};
+
+/// From so many objects on each takes as little room as it can.
+const MANY: usize = 4096;
 
 /// What [`Flattener`] makes of a scene's objects.
 #[derive(Debug, Default)]
@@ -57,7 +61,7 @@ pub struct InteriorUse {
     /// From the interior's outer space to the world; `None` is the identity.
     pub outer: Option<Arc<Transform>>,
     /// The texture whose finish may say more about it, as old scenes do.
-    pub texture: Option<u32>,
+    pub texture: Numbered,
     /// Whether it doesn't displace fog and media.
     pub hollow: bool,
 }
@@ -237,6 +241,13 @@ impl<'a> Flattener<'a> {
         let interior = own.interior.unwrap_or_else(|| self.interior(None, &own));
         own.interior = Some(interior);
         if let Some(member) = self.placed(object, &own) {
+            // Of so many the boxes are worked out again by the few who ask.
+            if let Member::Leaf(number) = member
+                && self.flat.parts.objects.len() > MANY
+            {
+                let leaf = &mut self.flat.parts.leaves[number as usize];
+                leaf.bounds = leaf.bounds.take().filter(|_| leaf.limits.is_some());
+            }
             self.note_bounds(object, &own, member);
             self.flat.parts.objects.push(Whole { member, interior, opaque: false, apart: false });
         }
@@ -297,6 +308,25 @@ impl<'a> Flattener<'a> {
         self.flat.textures.len() as u32 - 1
     }
 
+    /// The same, but that the last one's number will do where that is the same.
+    pub(super) fn texture_again(
+        &mut self,
+        texture: &Texture,
+        outer: Option<Arc<Transform>>,
+        span: Span,
+    ) -> u32 {
+        let place = |transform: &Option<Arc<Transform>>| transform.as_ref().map(Arc::as_ptr);
+        let is_same = |last: &TextureUse| {
+            Arc::ptr_eq(&last.texture.body, &texture.body)
+                && place(&last.texture.transform) == place(&texture.transform)
+                && place(&last.outer) == place(&outer)
+        };
+        match self.flat.textures.last() {
+            Some(last) if is_same(last) => self.flat.textures.len() as u32 - 1,
+            _ => self.texture(texture, outer, span),
+        }
+    }
+
     /// The texture of objects that were given none.
     pub(super) fn default_texture(&mut self) -> u32 {
         match self.default_texture {
@@ -313,7 +343,7 @@ impl<'a> Flattener<'a> {
         self.flat.interiors.push(InteriorUse {
             interior: interior.cloned(),
             outer: own.outer.clone(),
-            texture: own.texture,
+            texture: own.texture.into(),
             hollow: own.hollow,
         });
         self.flat.interiors.len() as u32 - 1

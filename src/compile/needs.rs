@@ -42,7 +42,7 @@ impl Used {
 pub(super) fn textures(flat: &Flat) -> Used {
     let used = flat.parts.leaves.iter().flat_map(|leaf| {
         let own = leaf.own_textures.clone();
-        own.chain(leaf.texture).chain(leaf.interior_texture)
+        own.chain(leaf.texture.get()).chain(leaf.interior_texture.get())
     });
     Used::new(flat.textures.len(), used)
 }

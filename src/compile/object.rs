@@ -5,7 +5,6 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use super::Unsupported;
-use super::extent::half_space;
 use super::flatten::{Flattener, Inherited};
 use super::probe::inside_of;
 use super::shape::settled::settled;
@@ -16,9 +15,9 @@ use crate::scene::depth::DEEPEST;
 use crate::scene::object::ObjectFlags;
 use crate::scene::texture::{LegacyFinish, TextureBody};
 use crate::scene::{Object, Shape, Texture};
-use crate::world::extent::Extent;
+use crate::world::extent::{Extent, around_rounding, half_space};
 use crate::world::narrow;
-use crate::world::object::LeafFlags;
+use crate::world::object::{LeafFlags, Numbered};
 use crate::world::shape::Shape as _;
 use crate::world::{Leaf, Member, RayKind};
 
@@ -53,7 +52,7 @@ impl Flattener<'_> {
         // Textures at <u,v,0> stay where they are.
         let outer = if own.uv_mapping { None } else { own.outer.clone() };
         if let Some(texture) = &object.texture {
-            own.texture = Some(self.texture(texture, outer.clone(), object.span));
+            own.texture = Some(self.texture_again(texture, outer.clone(), object.span));
         }
         let extra = object.extra.as_deref();
         if let Some(texture) = extra.and_then(|extra| extra.interior_texture.as_ref()) {
@@ -147,25 +146,29 @@ impl Flattener<'_> {
         }
         let limits = self.limits(object, own);
         let extent = self.clipped(Extent { bounds, beyond: inverted }, limits.as_deref());
-        self.flat.spans.push(object.span);
+        flags.set(LeafFlags::BEYOND, extent.beyond);
+        // A loop makes many objects at one place of the text.
+        if self.flat.spans.last() != Some(&object.span) {
+            self.flat.spans.push(object.span);
+        }
         let transform = transform.filter(|_| settled.is_none());
         let mut leaf = Leaf {
             primitive: settled.unwrap_or(compiled.primitive),
-            reach: reach(extent, transform.as_deref()),
+            reach: reach(extent, transform.as_deref()) as f32,
             transform,
-            extent,
+            bounds: Some(Box::new(extent.bounds)),
             limits,
-            parent: None,
+            parent: Numbered::NONE,
             flags,
             hidden: own.hidden,
-            texture,
-            interior_texture: own.interior_texture,
+            texture: texture.into(),
+            interior_texture: own.interior_texture.into(),
             own_textures,
             interior: own.interior.unwrap_or(0),
             lights: own.lights,
             origin: self.flat.spans.len() as u32 - 1,
         };
-        leaf.extent.bounds = self.narrowed(&leaf);
+        leaf.bounds = Some(Box::new(self.narrowed(&leaf)));
         self.flat.parts.leaves.push(leaf);
         Some(Member::Leaf(self.flat.parts.leaves.len() as u32 - 1))
     }
@@ -173,14 +176,15 @@ impl Flattener<'_> {
     /// A box around what clips leave of a leaf.
     fn narrowed(&self, leaf: &Leaf) -> Bounds {
         let clips = leaf.limits.as_ref().map_or(&[][..], |limits| &limits.clips);
-        if clips.is_empty() || leaf.extent.beyond {
-            return leaf.extent.bounds;
+        let extent = leaf.extent();
+        if clips.is_empty() || extent.beyond {
+            return extent.bounds;
         }
         let clips = clips.iter().filter_map(|clip| match *clip {
             Member::Leaf(number) => Some(self.flat.parts.leaf(number)),
             Member::Group(_) => None,
         });
-        narrow::common(std::iter::once(leaf).chain(clips), leaf.extent.bounds)
+        narrow::common(std::iter::once(leaf).chain(clips), extent.bounds)
     }
 
     /// The primitive of an object in its own space, made to be seen from that around it.
@@ -278,22 +282,4 @@ pub(super) fn legacy(texture: &Texture) -> Option<&LegacyFinish> {
 fn reach(extent: Extent, transform: Option<&Transform>) -> f64 {
     let size = if extent.bounds.is_finite() { extent.bounds.size().max_element() } else { 0.0 };
     size + transform.map_or(0.0, |transform| transform.forward.translation.abs().max_element())
-}
-
-/// A slightly larger box, so that points rounded onto the surface are never outside of it.
-fn around_rounding(bounds: Bounds) -> Bounds {
-    let margin = |corner: DVec3, other: DVec3| {
-        let finite = |x: f64| if x.is_finite() { x.abs() } else { 0.0 };
-        let size = DVec3::new(
-            finite(corner.x).max(finite(other.x)),
-            finite(corner.y).max(finite(other.y)),
-            finite(corner.z).max(finite(other.z)),
-        );
-        size * (16.0 * f64::EPSILON)
-    };
-    if bounds.is_empty() {
-        return bounds;
-    }
-    let margin = margin(bounds.min, bounds.max);
-    Bounds { min: bounds.min - margin, max: bounds.max + margin }
 }

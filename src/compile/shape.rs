@@ -89,7 +89,7 @@ pub fn shape(shape: &scene::Shape) -> Result<Compiled, &'static str> {
         &S::Plane { normal, distance } => Primitive::Plane(Plane { normal, distance }).into(),
         S::Disc(disc) => flat(disc),
         S::Triangle(triangle) => Triangle::new(triangle.corners, triangle.normals)
-            .map_or_else(Compiled::nothing, |triangle| Primitive::Triangle(triangle).into()),
+            .map_or_else(Compiled::nothing, |triangle| Primitive::Triangle(Box::new(triangle)).into()),
         S::Polygon(points) => Compiled::rare(Polygon::new(points)),
         S::Quadric(q) => {
             let quadric = Quadric::new(q.squares, q.products, q.linear, q.constant);

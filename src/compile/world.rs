@@ -98,8 +98,8 @@ fn surfaces(flat: &mut Flat, textures: &mut TextureCompiler, lacking: &mut Vec<U
     let compiled =
         used.only(std::mem::take(&mut flat.textures)).map(compile).filter_map(Result::ok).collect();
     for leaf in &mut flat.parts.leaves {
-        leaf.texture = leaf.texture.map(|number| used.renumbered(number));
-        leaf.interior_texture = leaf.interior_texture.map(|number| used.renumbered(number));
+        leaf.texture = leaf.texture.get().map(|number| used.renumbered(number)).into();
+        leaf.interior_texture = leaf.interior_texture.get().map(|number| used.renumbered(number)).into();
         if !leaf.own_textures.is_empty() {
             let first = used.renumbered(leaf.own_textures.start);
             leaf.own_textures = first..first + leaf.own_textures.len() as u32;
@@ -118,7 +118,7 @@ fn interiors(
     // What is filled with air alone is alike, solid or hollow.
     let mut airs = [None, None];
     let compile = |wanted: InteriorUse| {
-        let texture = wanted.texture.map(|number| &flat.textures[number as usize].texture);
+        let texture = wanted.texture.get().map(|number| &flat.textures[number as usize].texture);
         let legacy = texture.and_then(legacy);
         let outer = wanted.outer.as_deref().unwrap_or(&Transform::IDENTITY);
         let mut compile = || {
@@ -146,14 +146,14 @@ fn mark_opaque(flat: &mut Flat, textures: &[Texture]) {
     let opaque = |number: u32| textures[number as usize].is_opaque();
     for leaf in &mut flat.parts.leaves {
         let all = leaf.own_textures.clone().all(opaque)
-            && leaf.texture.is_some_and(opaque)
-            && leaf.interior_texture.is_none_or(opaque);
+            && leaf.texture.get().is_some_and(opaque)
+            && leaf.interior_texture.get().is_none_or(opaque);
         leaf.flags.set(LeafFlags::OPAQUE, all);
         let everywhere = |holds: fn(&Texture) -> bool| {
             let single = |number: u32| holds(&textures[number as usize]);
             leaf.own_textures.is_empty()
-                && leaf.texture.is_some_and(single)
-                && leaf.interior_texture.is_none_or(single)
+                && leaf.texture.get().is_some_and(single)
+                && leaf.interior_texture.get().is_none_or(single)
         };
         let (clear, invisible) = (everywhere(Texture::is_clear), everywhere(Texture::is_invisible));
         leaf.flags.set(LeafFlags::CLEAR, clear);

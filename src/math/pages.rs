@@ -2,7 +2,7 @@
 //! huge ones, of which few are needed.
 
 /// From so many bytes on huge pages pay: the system clears each as a whole, however little of it is used.
-pub const MANY: usize = 64 << 20;
+pub const MANY: usize = 16 << 20;
 
 /// The memory the program uses at present, in bytes; 0 where the system does not tell.
 pub fn used() -> u64 {

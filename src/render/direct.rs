@@ -109,7 +109,12 @@ impl Tracer<'_> {
         }
         let unblocked = match *unblocked {
             Some(known) => known,
-            None => *unblocked.insert(self.unblocked(&at.target(), *number, incident)),
+            None => {
+                self.blocker = self.blockers[*number as usize];
+                let found = self.unblocked(&at.target(), *number, incident);
+                self.blockers[*number as usize] = self.blocker;
+                *unblocked.insert(found)
+            }
         };
         if is_dark(unblocked) {
             return Rgb::ZERO;

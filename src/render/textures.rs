@@ -62,7 +62,7 @@ pub(super) fn resolve(
 /// The texture of a leaf as a whole.
 #[inline]
 fn whole(leaf: &Leaf, surface: &Intersection) -> Option<u32> {
-    leaf.interior_texture.filter(|_| surface.inside).or(leaf.texture)
+    leaf.interior_texture.get().filter(|_| surface.inside).or(leaf.texture.get())
 }
 
 /// The textures at a hit of a leaf that brings its own, or has none.
@@ -90,7 +90,7 @@ fn shares(world: &World, leaf: &Leaf, hit: &Hit, surface: &Intersection) -> Shar
 fn cutaway(world: &World, leaf: &Leaf, hit: &Hit, point: DVec3, found: &mut Shares) {
     let parts = world.geometry.parts();
     let mut cutter = Member::Leaf(hit.leaf);
-    let mut around = leaf.parent;
+    let mut around = leaf.parent.get();
     while let (true, Some(number)) = (found.is_empty(), around) {
         let group = parts.group(number);
         // What is cut out of a difference is its first member.
@@ -110,7 +110,7 @@ fn textures_around(world: &World, member: Member, point: DVec3, found: &mut Shar
         return;
     }
     match member {
-        Member::Leaf(number) => found.extend(parts.leaf(number).texture.map(|texture| (texture, 1.0))),
+        Member::Leaf(number) => found.extend(parts.leaf(number).texture.get().map(|texture| (texture, 1.0))),
         Member::Group(number) => {
             for &member in &parts.group(number).members {
                 textures_around(world, member, point, found);

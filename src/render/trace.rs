@@ -62,6 +62,8 @@ pub(super) struct Tracer<'w> {
     pub(super) occluders: Vec<Hit>,
     /// What was in the way of the last shadow ray, and so probably is in that of the next.
     pub(super) blocker: Option<u32>,
+    /// The same for each lamp.
+    pub(super) blockers: Vec<Option<u32>>,
     /// The lamps of a march through media, and what stands before them.
     pub(super) beams: Vec<Beam>,
     pub(super) between: Vec<Between>,
@@ -89,6 +91,7 @@ impl<'w> Tracer<'w> {
             mirrors: Vec::new(),
             occluders: Vec::new(),
             blocker: None,
+            blockers: vec![None; world.lights.len()],
             beams: Vec::new(),
             between: Vec::new(),
             near: Vec::new(),

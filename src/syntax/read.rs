@@ -26,6 +26,8 @@ const LONGEST_NAME: usize = 255;
 /// Brackets, braces and directives inside each other; the interpreter's own limits are far lower. Of a
 /// file that goes deeper the rest is not read: nobody writes that, and reading it takes its time.
 const DEEPEST: i32 = 10_000;
+/// Comments inside each other: pest goes down a level of the stack for each.
+const DEEPEST_COMMENT: usize = 250;
 /// Mistakes in the text of one file that are reported before the rest is ignored.
 const MOST_ERRORS: usize = 20;
 
@@ -155,15 +157,13 @@ impl<'a> Reader<'a> {
 
     /// Reads a piece of text by pest, and says where to go on.
     fn piece(&mut self, offset: usize, text: &str) -> usize {
-        let pairs = match Grammar::parse(Rule::piece, text) {
-            Ok(pairs) => pairs,
-            Err(_) => {
-                // Every character fits some rule, so only pest's own limit on nesting is left.
-                self.error(offset, offset, "comments are nested too deeply here", "remove some of the `/*`");
-                return self.source.text().len();
-            }
-        };
-        for pair in pairs.flat_map(|piece| piece.into_inner()) {
+        if scan::depth_of_comments(text.as_bytes()) > DEEPEST_COMMENT {
+            self.error(offset, offset, "comments are nested too deeply here", "remove some of the `/*`");
+            return self.source.text().len();
+        }
+        // Every character fits some rule.
+        let pairs = Grammar::parse(Rule::piece, text);
+        for pair in pairs.into_iter().flatten().flat_map(|piece| piece.into_inner()) {
             let (rule, span) = (pair.as_rule(), pair.as_span());
             match rule {
                 Rule::block_rest | Rule::line_text | Rule::block_text | Rule::EOI => {}

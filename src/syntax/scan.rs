@@ -168,6 +168,22 @@ pub(super) fn stretch(bytes: &[u8], start: usize) -> usize {
     at
 }
 
+/// How many comments are inside each other at most, or a little more: comments in strings count.
+pub(super) fn depth_of_comments(bytes: &[u8]) -> usize {
+    let (mut depth, mut deepest) = (0_usize, 0);
+    let mut at = 0;
+    while let Some(slash) = bytes[at..].iter().position(|&byte| byte == b'/').map(|found| at + found) {
+        at = slash + 1;
+        if bytes.get(at) == Some(&b'*') {
+            (at, depth) = (at + 1, depth + 1);
+            deepest = deepest.max(depth);
+        } else if slash > 0 && bytes[slash - 1] == b'*' {
+            depth = depth.saturating_sub(1);
+        }
+    }
+    deepest
+}
+
 /// The end of the string that starts here.
 fn string_end(bytes: &[u8], start: usize) -> usize {
     let mut at = start + 1;

@@ -107,17 +107,18 @@ impl Geometry {
 
     /// Makes the objects of `parts` searchable.
     pub fn new(parts: Parts, accelerator: Accelerator) -> Self {
-        let mut boxes = Vec::with_capacity(parts.objects.len());
         let (mut unbounded, mut inverted) = (Vec::new(), Vec::new());
-        for (number, object) in (0..).zip(&parts.objects).filter(|(_, object)| !object.apart) {
+        let together = || (0..).zip(&parts.objects).filter(|(_, object)| !object.apart);
+        for (number, object) in together() {
             let extent = parts.extent(object.member);
             if extent.bounds.is_finite() {
-                boxes.push((extent.bounds, number));
                 inverted.extend(extent.beyond.then_some(number));
             } else if !extent.bounds.is_empty() {
                 unbounded.push(number);
             }
         }
+        let boxes = together().map(|(number, object)| (parts.extent(object.member).bounds, number));
+        let boxes = boxes.filter(|(bounds, _)| bounds.is_finite());
         Self { bounded: Accel::new(boxes, accelerator), unbounded, inverted, parts }
     }
 

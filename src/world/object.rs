@@ -4,15 +4,15 @@ use std::ops::Range;
 
 use bitflags::bitflags;
 
-use super::extent::Extent;
+use super::extent::{Extent, around_rounding, half_space};
 use super::ray::Ray;
 use super::shape::{Primitive, Shape};
-use crate::math::{DVec3, Transform, tally};
+use crate::math::{Bounds, DVec3, Transform, tally};
 
 bitflags! {
     /// Kinds of rays; for an object, those that don't see it (docs/spec/shading.md 3).
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-    pub struct RayKind: u32 {
+    pub struct RayKind: u8 {
         /// From the camera, or transmitted from such a ray: `no_image`.
         const IMAGE = 1;
         /// Reflected, or descending from a reflected one: `no_reflection`.
@@ -27,7 +27,7 @@ bitflags! {
 bitflags! {
     /// The on/off traits of a [`Leaf`].
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-    pub struct LeafFlags: u8 {
+    pub struct LeafFlags: u16 {
         /// Inside and outside are exchanged.
         const INVERTED = 1;
         /// The outward normal is the shape's own, reversed.
@@ -44,6 +44,8 @@ bitflags! {
         const CLEAR = 1 << 6;
         /// Nothing of it is seen: clear, and without highlights and reflections.
         const INVISIBLE = 1 << 7;
+        /// All beyond its box is inside.
+        const BEYOND = 1 << 8;
     }
 }
 
@@ -54,23 +56,24 @@ pub struct Leaf {
     pub primitive: Primitive,
     /// From the primitive's space to the world; `None` is the identity.
     pub transform: Option<Box<Transform>>,
-    /// Where its inside may be, and all of its surface.
-    pub extent: Extent,
+    /// The box where its inside may be, and all of its surface, where that isn't its primitive's own:
+    /// only compounds ask often enough to keep that.
+    pub bounds: Option<Box<Bounds>>,
     /// The size of the numbers that its points are computed from, but for those of the ray.
-    pub reach: f64,
+    pub reach: f32,
     /// `clipped_by` and `bounded_by`.
     pub limits: Option<Box<Limits>>,
     /// The compound it is a member of.
-    pub parent: Option<u32>,
+    pub parent: Numbered,
     /// On/off traits.
     pub flags: LeafFlags,
     /// Rays that pass through it.
     pub hidden: RayKind,
     /// The surface: a number into the world's textures; `None` takes that of the solids cut
     /// (`cutaway_textures`) or brings its own.
-    pub texture: Option<u32>,
+    pub texture: Numbered,
     /// The surface seen from inside.
-    pub interior_texture: Option<u32>,
+    pub interior_texture: Numbered,
     /// Where in the world's textures the shape's own list is; empty for most.
     pub own_textures: Range<u32>,
     /// What it is filled with: a number into the world's interiors.
@@ -81,7 +84,45 @@ pub struct Leaf {
     pub origin: u32,
 }
 
+/// A number that may be missing, in the room of one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Numbered(u32);
+
+impl Numbered {
+    /// No number.
+    pub const NONE: Self = Self(u32::MAX);
+
+    /// The number, if there is one.
+    #[inline(always)]
+    pub fn get(self) -> Option<u32> {
+        (self != Self::NONE).then_some(self.0)
+    }
+}
+
+impl From<Option<u32>> for Numbered {
+    fn from(number: Option<u32>) -> Self {
+        number.map_or(Self::NONE, Self)
+    }
+}
+
 impl Leaf {
+    /// Where its inside may be, and all of its surface.
+    #[inline]
+    pub fn extent(&self) -> Extent {
+        let bounds = self.bounds.as_ref().map_or_else(|| self.own_bounds(), |bounds| **bounds);
+        Extent { bounds, beyond: self.flags.contains(LeafFlags::BEYOND) }
+    }
+
+    /// The box around its primitive.
+    fn own_bounds(&self) -> Bounds {
+        let place = self.transform.as_deref();
+        around_rounding(match (&self.primitive, place) {
+            (Primitive::Plane(plane), _) => half_space(plane.normal, plane.distance, place, 0.0),
+            (primitive, Some(place)) => primitive.bounds().transformed(place),
+            (primitive, None) => primitive.bounds(),
+        })
+    }
+
     /// The ray in the primitive's space.
     #[inline(always)]
     pub(super) fn inner(&self, ray: &Ray) -> Ray {

@@ -67,7 +67,7 @@ fn is_convex(operation: Operation, members: &[Member], parts: &Parts) -> bool {
 impl Group {
     /// Combines members that are in `parts` already.
     pub fn new(operation: Operation, members: Vec<Member>, parts: &Parts, accelerator: Accelerator) -> Self {
-        let extents = members.iter().map(|&member| *parts.extent(member));
+        let extents = members.iter().map(|&member| parts.extent(member));
         let mut extent = match operation {
             Operation::Intersection => Extent::intersection(extents),
             Operation::Union | Operation::Merge => Extent::union(extents),
@@ -87,7 +87,7 @@ impl Group {
         };
         let core = members.iter().position(|member| is_core(&member)).map(|place| place as u32);
         let boxes = (0..).zip(&members).filter(|&(_, &member)| is_finite(member));
-        let boxes = boxes.map(|(place, &member)| (parts.extent(member).bounds, place)).collect();
+        let boxes = boxes.map(|(place, &member)| (parts.extent(member).bounds, place));
         Self {
             bounded: Accel::new(boxes, accelerator),
             unbounded: members.iter().copied().filter(|&m| !is_finite(m)).collect(),
@@ -152,10 +152,19 @@ impl Parts {
 
     /// Where a member's inside and surface may be.
     #[inline]
-    pub fn extent(&self, member: Member) -> &Extent {
+    pub fn extent(&self, member: Member) -> Extent {
         match member {
-            Member::Leaf(number) => &self.leaf(number).extent,
-            Member::Group(number) => &self.group(number).extent,
+            Member::Leaf(number) => self.leaf(number).extent(),
+            Member::Group(number) => self.group(number).extent,
+        }
+    }
+
+    /// Whether everything beyond a member's box is inside of it.
+    #[inline]
+    pub(super) fn is_beyond(&self, member: Member) -> bool {
+        match member {
+            Member::Leaf(number) => self.leaf(number).flags.contains(LeafFlags::BEYOND),
+            Member::Group(number) => self.group(number).extent.beyond,
         }
     }
 

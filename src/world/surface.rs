@@ -66,7 +66,7 @@ impl Geometry {
         Intersection {
             point,
             textured,
-            error: ROUNDING * (coordinates + leaf.reach),
+            error: ROUNDING * (coordinates + f64::from(leaf.reach)),
             normal: turn(normal),
             geometric: turn(geometric),
             inside,

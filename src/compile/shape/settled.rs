@@ -30,7 +30,9 @@ pub(crate) fn settled(primitive: &Primitive, transform: &Transform) -> Option<Pr
             let (min, max) = (transform.point(cuboid.min), transform.point(cuboid.max));
             Some(Primitive::Box(Cuboid { min, max }))
         }
-        Primitive::Triangle(triangle) => triangle.transformed(transform).map(Primitive::Triangle),
+        Primitive::Triangle(triangle) => {
+            triangle.transformed(transform).map(|triangle| Primitive::Triangle(Box::new(triangle)))
+        }
         _ => None,
     };
     settled.filter(|settled| {
@@ -90,7 +92,7 @@ mod tests {
         let plane = Primitive::Plane(Plane { normal: DVec3::new(0.6, 0.8, 0.0), distance: -0.5 });
         let corners = [DVec3::new(-2.0, 0.1, 0.0), DVec3::new(2.0, -1.0, 0.3), DVec3::new(0.0, 2.0, 0.7)];
         let normals = [DVec3::Z, DVec3::new(0.3, 0.2, 0.7), DVec3::new(0.0, -0.5, 0.5)];
-        let triangle = |normals| Primitive::Triangle(Triangle::new(corners, normals).unwrap());
+        let triangle = |normals| Primitive::Triangle(Box::new(Triangle::new(corners, normals).unwrap()));
         agrees(&sphere, &moved);
         agrees(&sphere, &enlarged);
         agrees(&cuboid, &stretched);

@@ -45,6 +45,17 @@ fn what_is_nested_without_end_is_not_read_to_its_end() {
 }
 
 #[test]
+fn comments_nest_but_not_without_end() {
+    let nested = |levels: usize| format!("{}{} x", "/*".repeat(levels), "*/".repeat(levels));
+    assert!(read(&nested(DEEPEST_COMMENT)).0.errors.is_empty());
+    for levels in [DEEPEST_COMMENT + 1, 1_000_000] {
+        let (tree, _) = read(&nested(levels));
+        assert_eq!((tree.errors.len(), tree.nodes.len()), (1, 0), "{levels}");
+    }
+    assert!(read(&"/* a / b */ ".repeat(2000)).0.errors.is_empty());
+}
+
+#[test]
 fn a_vector_can_be_read_as_marks_and_numbers() {
     let text = "x<1, -.5>y";
     let source = Source::new("a.pov", "", text.into());

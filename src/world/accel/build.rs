@@ -2,6 +2,7 @@
 //! the least work. Nodes are made eight wide at once: the part with the largest area is split
 //! until there are eight.
 
+use glam::Vec3;
 use rayon::prelude::*;
 use smallvec::SmallVec;
 
@@ -20,23 +21,32 @@ const DEPTH_OF_HEURISTIC: u32 = 24;
 /// Parts with more items are built beside each other.
 const MANY: usize = 2048;
 
+/// Parts with more than that one after the other, and theirs beside each other: the nodes of those that are
+/// built beside are in the way until they are all there.
+const VERY_MANY: usize = 1 << 18;
+
+/// So many children a node has at least, on average.
+const FULL: usize = 4;
+
 /// So many levels of them: each copies the nodes below it.
 const LEVELS_BESIDE: u32 = 2;
 
-/// An item on its way into the tree.
+/// An item on its way into the tree. Small, as there may be millions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Item {
-    pub(super) bounds: Bounds,
+    /// Its box, as the tree has it.
+    pub(super) low: Vec3,
+    pub(super) high: Vec3,
     pub(super) number: u32,
 }
 
 impl Item {
-    pub(super) fn new((bounds, number): (Bounds, u32)) -> Self {
-        Self { bounds, number }
+    fn bounds(&self) -> Bounds {
+        Bounds { min: self.low.as_dvec3(), max: self.high.as_dvec3() }
     }
 
     fn center(&self) -> DVec3 {
-        self.bounds.center()
+        self.bounds().center()
     }
 }
 
@@ -56,6 +66,15 @@ struct Part<'a> {
     bounds: Bounds,
 }
 
+/// How a tree is to be.
+#[derive(Clone, Copy)]
+struct Plan {
+    /// The longest run of a leaf.
+    longest: usize,
+    /// Parts with so many items aren't cut any more: where there are very many, most nodes are to be full.
+    whole: usize,
+}
+
 /// The nodes over at least one item, the root first. Brings the items into the order in which the
 /// leaves, runs of up to `longest`, count them.
 pub(super) fn tree<F>(items: &mut [Item], longest: usize, node: &F) -> Vec<Node>
@@ -63,28 +82,31 @@ where
     F: Fn(&[(Bounds, Child)]) -> Node + Sync,
 {
     let bounds = around(items);
-    let mut nodes = Vec::with_capacity(items.len() / longest / 3 + 1);
-    grow(Part { first: 0, items, bounds }, 0, longest, node, &mut nodes);
+    let whole = if longest == 1 && items.len() > VERY_MANY { WIDTH } else { longest };
+    let mut nodes = Vec::with_capacity(items.len() / longest / FULL + 1);
+    grow(Part { first: 0, items, bounds }, [0; 2], Plan { longest, whole }, node, &mut nodes);
     nodes
 }
 
-/// Appends the subtree of a part and answers its number.
-fn grow<F>(part: Part, depth: u32, longest: usize, node: &F, nodes: &mut Vec<Node>) -> u32
+/// Appends the subtree of a part and answers its number. It is so deep in the tree, and below so many parts
+/// that are built beside others.
+fn grow<F>(part: Part, [depth, beside]: [u32; 2], plan: Plan, node: &F, nodes: &mut Vec<Node>) -> u32
 where
     F: Fn(&[(Bounds, Child)]) -> Node + Sync,
 {
     let number = nodes.len();
-    let many = part.items.len() > MANY && depth < LEVELS_BESIDE;
-    let parts = parts(part, depth, longest);
+    let many = (MANY..VERY_MANY).contains(&part.items.len()) && beside < LEVELS_BESIDE;
+    let beside = beside + u32::from(many);
+    let parts = parts(part, depth, plan);
     let mut children: SmallVec<[(Bounds, Child); WIDTH]> = SmallVec::new();
     // Its place is taken before its children's.
     nodes.push(Node::EMPTY);
     let subtrees: Vec<(Bounds, Result<Child, Vec<Node>>)> = if many {
         let grown = |part: Part| {
             let bounds = part.bounds;
-            let child = leaf(&part, longest).ok_or_else(|| {
-                let mut below = Vec::with_capacity(part.items.len() / longest / 3 + 1);
-                grow(part, depth + 1, longest, node, &mut below);
+            let child = leaf(&part, plan).ok_or_else(|| {
+                let mut below = Vec::with_capacity(part.items.len() / plan.longest / FULL + 1);
+                grow(part, [depth + 1, beside], plan, node, &mut below);
                 below
             });
             (bounds, child)
@@ -93,8 +115,11 @@ where
     } else {
         let grown = |part: Part| {
             let bounds = part.bounds;
-            let child = leaf(&part, longest);
-            (bounds, Ok(child.unwrap_or_else(|| Child::Node(grow(part, depth + 1, longest, node, nodes)))))
+            let child = leaf(&part, plan);
+            (
+                bounds,
+                Ok(child.unwrap_or_else(|| Child::Node(grow(part, [depth + 1, beside], plan, node, nodes)))),
+            )
         };
         parts.into_iter().map(grown).collect()
     };
@@ -111,24 +136,24 @@ where
 }
 
 /// The part as a leaf, if it is small enough.
-fn leaf(part: &Part, longest: usize) -> Option<Child> {
+fn leaf(part: &Part, plan: Plan) -> Option<Child> {
     let length = part.items.len();
-    (length <= longest).then_some(Child::Run { first: part.first as u32, length: length as u32 })
+    (length <= plan.longest).then_some(Child::Run { first: part.first as u32, length: length as u32 })
 }
 
 /// Cuts a part into one to [`WIDTH`].
-fn parts(part: Part, depth: u32, longest: usize) -> SmallVec<[Part; WIDTH]> {
+fn parts(part: Part, depth: u32, plan: Plan) -> SmallVec<[Part; WIDTH]> {
     let mut parts = SmallVec::new();
-    if longest == 1 && part.items.len() <= WIDTH {
+    if plan.longest == 1 && part.items.len() <= WIDTH {
         for (place, items) in part.items.chunks_mut(1).enumerate() {
-            parts.push(Part { first: part.first + place, bounds: items[0].bounds, items });
+            parts.push(Part { first: part.first + place, bounds: items[0].bounds(), items });
         }
         return parts;
     }
     parts.push(part);
     while parts.len() < WIDTH {
         let largest = (0..parts.len())
-            .filter(|&i| parts[i].items.len() > longest)
+            .filter(|&i| parts[i].items.len() > plan.whole)
             .max_by(|&a, &b| parts[a].bounds.half_area().total_cmp(&parts[b].bounds.half_area()));
         let Some(largest) = largest else {
             break;
@@ -143,7 +168,7 @@ fn parts(part: Part, depth: u32, longest: usize) -> SmallVec<[Part; WIDTH]> {
 }
 
 fn around(items: &[Item]) -> Bounds {
-    items.iter().fold(Bounds::EMPTY, |all, item| all.union(item.bounds))
+    items.iter().fold(Bounds::EMPTY, |all, item| all.union(item.bounds()))
 }
 
 /// Two parts, neither empty.
@@ -197,7 +222,7 @@ fn best_cut(items: &[Item], centers: Bounds) -> Option<Cut> {
         for item in items {
             let (count, bounds) = &mut bins[cut.bin(item.center())];
             *count += 1;
-            *bounds = bounds.union(item.bounds);
+            *bounds = bounds.union(item.bounds());
         }
         // The cost of everything to the right of each cut, then of everything to the left.
         let mut right = [0.0; BINS];

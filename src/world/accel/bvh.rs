@@ -64,6 +64,11 @@ impl Way {
 impl Bvh {
     /// Takes items, all bounded, and asks about them by the numbers they have.
     pub fn new(items: Vec<(Bounds, u32)>) -> Self {
+        Self::over(items)
+    }
+
+    /// The same, where the items are made one after the other; twice.
+    pub(super) fn over<I: IntoIterator<Item = (Bounds, u32), IntoIter: Clone>>(items: I) -> Self {
         let (mut bvh, order) = Self::with_runs(items, 1);
         let leaves = bvh.nodes.iter_mut().flat_map(|node| &mut node.children);
         for child in leaves.filter(|child| **child & LEAF != 0 && **child != u32::MAX) {
@@ -73,38 +78,39 @@ impl Bvh {
     }
 
     /// Keeps up to `longest` items together, at most 8. Answers also the numbers of
-    /// the items in the order in which the tree counts them from then on.
-    pub fn with_runs(items: Vec<(Bounds, u32)>, longest: usize) -> (Self, Vec<u32>) {
-        let whole = items.iter().fold(Bounds::EMPTY, |all, (bounds, _)| all.union(*bounds));
+    /// the items in the order in which the tree counts them from then on. The items are gone through twice.
+    pub fn with_runs<I: IntoIterator<Item = (Bounds, u32), IntoIter: Clone>>(
+        items: I,
+        longest: usize,
+    ) -> (Self, Vec<u32>) {
+        let items = items.into_iter();
+        let (mut whole, mut count) = (Bounds::EMPTY, 0);
+        for (bounds, _) in items.clone() {
+            whole = whole.union(bounds);
+            count += 1;
+        }
         let scale = 2.0 / whole.size().max_element();
         let mut bvh = Self {
             nodes: Vec::new(),
             whole,
-            center: if items.is_empty() { DVec3::ZERO } else { whole.center() },
+            center: if count == 0 { DVec3::ZERO } else { whole.center() },
             scale: if scale.is_finite() { scale } else { 1.0 },
             blur: 0.0,
         };
         // A point is no farther from the origin than from the middle and the middle from there.
         bvh.blur = ((1.0 + NEAR + 2.0 * bvh.center.abs().max_element() * bvh.scale) * BLUR) as f32;
-        let mut items: Vec<Item> = items.into_iter().map(Item::new).collect();
-        if !items.is_empty() {
-            bvh.nodes = build::tree(&mut items, longest.min(LONGEST_RUN), &|children| bvh.node(children));
+        let mut own = Vec::with_capacity(count);
+        own.extend(items.map(|(bounds, number)| bvh.item(bounds, number)));
+        if !own.is_empty() {
+            bvh.nodes = build::tree(&mut own, longest.min(LONGEST_RUN), &node);
         }
-        (bvh, items.into_iter().map(|item| item.number).collect())
+        (bvh, own.into_iter().map(|item| item.number).collect())
     }
 
-    /// The node of up to [`WIDTH`] children and their boxes.
-    fn node(&self, children: &[(Bounds, build::Child)]) -> Node {
-        let mut node = Node::EMPTY;
-        for (lane, (bounds, child)) in children.iter().enumerate() {
-            let (low, high) = (self.inner(bounds.min), self.inner(bounds.max));
-            let child = match *child {
-                build::Child::Node(number) => number,
-                build::Child::Run { first, length } => LEAF | (length - 1) << LENGTH | first,
-            };
-            node.set(lane, child, low.to_array().map(rounded_down), high.to_array().map(rounded_up));
-        }
-        node
+    /// An item with its box in the space of the boxes, rounded outward.
+    fn item(&self, bounds: Bounds, number: u32) -> Item {
+        let (low, high) = (self.inner(bounds.min).to_array(), self.inner(bounds.max).to_array());
+        Item { low: low.map(rounded_down).into(), high: high.map(rounded_up).into(), number }
     }
 
     /// A point in the space of the boxes.
@@ -265,6 +271,20 @@ impl Bvh {
         }
         false
     }
+}
+
+/// The node of up to [`WIDTH`] children and their boxes.
+fn node(children: &[(Bounds, build::Child)]) -> Node {
+    let mut node = Node::EMPTY;
+    for (lane, (bounds, child)) in children.iter().enumerate() {
+        let child = match *child {
+            build::Child::Node(number) => number,
+            build::Child::Run { first, length } => LEAF | (length - 1) << LENGTH | first,
+        };
+        // These are numbers in single precision already.
+        node.set(lane, child, bounds.min.as_vec3().to_array(), bounds.max.as_vec3().to_array());
+    }
+    node
 }
 
 /// The first of the children met, and its distance.

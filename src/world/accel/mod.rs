@@ -38,13 +38,18 @@ pub enum Accel {
 impl Accel {
     /// Takes items with their boxes. Unbounded boxes are only allowed in [`Linear`] sets: keep
     /// them apart where they are few among many.
-    pub fn new(items: Vec<(Bounds, u32)>, kind: Accelerator) -> Self {
-        let bounded = items.iter().all(|(bounds, _)| bounds.is_finite());
+    pub fn new<I: IntoIterator<Item = (Bounds, u32), IntoIter: Clone>>(items: I, kind: Accelerator) -> Self {
+        let items = items.into_iter();
+        let (mut bounded, mut count) = (true, 0);
+        for (bounds, _) in items.clone() {
+            bounded &= bounds.is_finite();
+            count += 1;
+        }
         match kind {
-            Accelerator::Auto if bounded && items.len() > FEW => Self::Bvh(Bvh::new(items)),
-            Accelerator::Bvh if bounded && !items.is_empty() => Self::Bvh(Bvh::new(items)),
-            Accelerator::Octree if bounded && !items.is_empty() => Self::Octree(Octree::new(items)),
-            _ => Self::Linear(Linear::new(items)),
+            Accelerator::Auto if bounded && count > FEW => Self::Bvh(Bvh::over(items)),
+            Accelerator::Bvh if bounded && count > 0 => Self::Bvh(Bvh::over(items)),
+            Accelerator::Octree if bounded && count > 0 => Self::Octree(Octree::new(items.collect())),
+            _ => Self::Linear(Linear::new(items.collect())),
         }
     }
 

@@ -202,7 +202,7 @@ impl Parts {
         }
         let mut missing = group.deciders;
         if let Some(core) = group.core {
-            missing -= u32::from(self.extent(group.members[core as usize]).beyond == decisive);
+            missing -= u32::from(self.is_beyond(group.members[core as usize]) == decisive);
         }
         if decided && stops {
             return true;
@@ -212,7 +212,7 @@ impl Parts {
                 return way.range.max;
             }
             let member = group.members[place as usize];
-            missing -= u32::from(self.extent(member).beyond == decisive);
+            missing -= u32::from(self.is_beyond(member) == decisive);
             decided |= decides(self.gather(member, way, scratch));
             if decided && stops { f64::NEG_INFINITY } else { way.range.max }
         });

@@ -49,7 +49,7 @@ impl Parts {
         let decided = group.wide.iter().any(|&member| decides(member))
             || group.bounded.any_around(point, |place| {
                 let member = group.members[place as usize];
-                self.extent(member).beyond != decisive && decides(member)
+                self.is_beyond(member) != decisive && decides(member)
             });
         decided == decisive
     }

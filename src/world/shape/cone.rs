@@ -39,15 +39,14 @@ impl Cone {
         );
         // In the coordinates (x, y, radius) each coefficient is a difference of squares, and Lagrange's
         // identity for their form gives the discriminant without its great cancellation.
-        let squares = |v: DVec3| {
-            let side = v.truncate().length();
-            (side - v.z.abs()) * (side + v.z.abs())
-        };
-        let (a, c) = (squares(d), squares(f));
+        let squares = |x: f64, y: f64, z: f64| (-z).mul_add(z, x.mul_add(x, y * y));
+        let (a, c) = (squares(d.x, d.y, d.z), squares(f.x, f.y, f.z));
         let b = f.x * d.x + f.y * d.y - f.z * d.z;
-        let u = difference_of_products(f.x, d.z, f.z, d.x).hypot(difference_of_products(f.y, d.z, f.z, d.y));
-        let w = difference_of_products(f.x, d.y, f.y, d.x).abs();
-        let mut discriminant = (u - w) * (u + w);
+        let mut discriminant = squares(
+            difference_of_products(f.x, d.z, f.z, d.x),
+            difference_of_products(f.y, d.z, f.z, d.y),
+            difference_of_products(f.x, d.y, f.y, d.x),
+        );
         if a < 0.0 {
             // A line this steep meets the cone always, if only in the apex.
             discriminant = discriminant.max(0.0);

@@ -151,6 +151,10 @@ impl Curve {
     /// Whether the curve crosses the line from `p` towards +x an odd number of times. A point where
     /// stretches join counts for just one of them.
     pub fn encloses(&self, p: DVec2) -> bool {
+        let [low, high] = self.hull;
+        if p.y < low.y || p.y > high.y || p.x >= high.x {
+            return false;
+        }
         let crossed = |piece: &&Piece| {
             let [from, to] = piece.ends;
             if (from.1 > p.y) == (to.1 > p.y) || piece.segment.hull[1].x <= p.x {

@@ -45,7 +45,7 @@ pub(super) fn between_ends(ray: &Ray) -> Option<Stretch> {
 }
 
 impl Cylinder {
-    /// Inside the endless cylinder: pbrt's discriminant, from the distance of line and axis.
+    /// Inside the endless cylinder: the discriminant comes from the distance of line and axis.
     fn between_sides(ray: &Ray) -> Option<Stretch> {
         let (f, d) = (ray.origin.truncate(), ray.direction.truncate());
         let a = d.length_squared();
@@ -58,8 +58,7 @@ impl Cylinder {
             return None;
         }
         let b = f.dot(d);
-        let distance = (f - (b / a) * d).length();
-        let discriminant = a * (1.0 - distance) * (1.0 + distance);
+        let discriminant = a * (1.0 - (f - (b / a) * d).length_squared());
         let [enter, leave] = roots::with_discriminant(a, b, f.length_squared() - 1.0, discriminant)?;
         Stretch::new(enter, SIDE, leave, SIDE)
     }

@@ -6,7 +6,7 @@ use smallvec::SmallVec;
 
 use super::curve::{Curve, Segment, sign_changes};
 use super::{Crossing, Shape};
-use crate::math::roots::roots_between;
+use crate::math::roots::{quadratic, roots_between};
 use crate::math::{Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
@@ -18,6 +18,9 @@ pub struct Lathe {
     /// Radius as x, height as y.
     pub profile: Curve,
 }
+
+/// Places on a segment near which something changes its sign.
+type Seeds = SmallVec<[f64; 11]>;
 
 /// A ray as a lathe sees it: where it passes the axis, in units of its own length.
 struct Passing {
@@ -48,19 +51,32 @@ impl Passing {
         (p.x * p.x - self.nearest).max(0.0).sqrt()
     }
 
-    /// Calls back with the place on the segment and the distance of every crossing.
-    fn meet(&self, segment: &Segment, mut found: impl FnMut(f64, f64)) {
+    /// Where on a segment [`Passing::gap`] is zero.
+    fn seeds(&self, segment: &Segment) -> Seeds {
         let radius = segment.polynomial(|p| p.x);
         let mut height = segment.polynomial(|p| p.y);
         height[0] -= self.height;
+        let (up, out) = (self.up * self.up, self.out * self.out);
+        if segment.is_straight() {
+            let term = |i: usize, j: usize| up * (radius[i] * radius[j]) - out * (height[i] * height[j]);
+            let roots = quadratic(term(1, 1), term(0, 1), term(0, 0) - up * self.nearest);
+            return roots.into_iter().flatten().filter(|w| (0.0..=1.0).contains(w)).collect();
+        }
         let (radii, heights) = (square(radius), square(height));
-        let mut gap: [f64; 7] =
-            std::array::from_fn(|i| self.up * self.up * radii[i] - self.out * self.out * heights[i]);
-        gap[0] -= self.up * self.up * self.nearest;
-        let seeds = roots_between::<7>(&gap, 0.0, 1.0);
+        let mut gap = [0.0; 7];
+        for i in 0..7 {
+            gap[i] = up * radii[i] - out * heights[i];
+        }
+        gap[0] -= up * self.nearest;
+        Seeds::from_slice(roots_between::<7>(&gap, 0.0, 1.0).as_slice())
+    }
+
+    /// Calls back with the place on the segment and the distance of every crossing.
+    fn meet(&self, segment: &Segment, mut found: impl FnMut(f64, f64)) {
+        let mut seeds = self.seeds(segment);
         if self.up > self.out {
             sign_changes(
-                seeds.as_slice(),
+                &seeds,
                 |w| self.gap(segment.point(w)),
                 |w| {
                     found(w, (segment.point(w).y - self.height) / self.up);
@@ -68,8 +84,13 @@ impl Passing {
             );
             return;
         }
-        let mut seeds: SmallVec<[f64; 11]> = SmallVec::from_slice(seeds.as_slice());
-        seeds.extend_from_slice(roots_between::<4>(&height, 0.0, 1.0).as_slice());
+        let mut height = segment.polynomial(|p| p.y);
+        height[0] -= self.height;
+        if segment.is_straight() {
+            seeds.extend(Some(-height[0] / height[1]).filter(|w| (0.0..=1.0).contains(w)));
+        } else {
+            seeds.extend_from_slice(roots_between::<4>(&height, 0.0, 1.0).as_slice());
+        }
         seeds.sort_unstable_by(f64::total_cmp);
         for branch in [-1.0, 1.0] {
             sign_changes(

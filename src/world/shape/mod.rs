@@ -35,6 +35,8 @@ pub(crate) mod battery;
 
 pub use primitive::Primitive;
 
+use std::cell::Cell;
+
 use super::ray::{Range, Ray};
 use crate::math::{Bounds, DVec2, DVec3};
 
@@ -70,6 +72,11 @@ pub enum Remark {
     },
 }
 
+thread_local! {
+    /// Room for crossings, so that no ray allocates any; calls that nest find none.
+    static SPARE: Cell<Vec<Crossing>> = const { Cell::new(Vec::new()) };
+}
+
 /// The number that stands for the object's own texture among those of [`Shape::textures`].
 pub const OWN_TEXTURE: u32 = u32::MAX;
 
@@ -91,9 +98,12 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
 
     /// The nearest crossing in `range`. Overridden where that is cheaper than finding all.
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let mut all = Vec::new();
+        let mut all = SPARE.take();
+        all.clear();
         self.crossings(ray, range, &mut all);
-        all.into_iter().min_by(|a, b| a.t.total_cmp(&b.t))
+        let nearest = all.iter().copied().min_by(|a, b| a.t.total_cmp(&b.t));
+        SPARE.set(all);
+        nearest
     }
 
     /// Whether anything is crossed in `range`.

@@ -28,7 +28,7 @@ pub enum Primitive {
     Cylinder(Cylinder),
     Cone(Cone),
     Torus(Torus),
-    Triangle(Triangle),
+    Triangle(Box<Triangle>),
     Mesh(Arc<Mesh>),
     Quadric(Arc<Quadric>),
     /// The rare kinds.

@@ -2,6 +2,7 @@
 
 use super::stretch::Stretch;
 use super::{Crossing, Shape};
+use crate::math::wide::widest;
 use crate::math::{Bounds, DMat3, DVec3, roots};
 use crate::world::{Range, Ray};
 
@@ -67,15 +68,29 @@ impl Quadric {
         2.0 * (self.matrix * p) + self.linear
     }
 
-    fn hits(&self, ray: &Ray) -> [f64; 2] {
+    /// Where a line meets it, near enough to be [polished](Self::polish): how far the line was moved, the line
+    /// then, and the distances from there.
+    #[inline(always)]
+    fn near_hits(&self, ray: &Ray) -> Option<(f64, Ray, [f64; 2])> {
         let (shift, ray) = ray.moved_to(self.center);
         let (o, d) = (ray.origin, ray.direction);
-        let a = d.dot(self.matrix * d);
-        let b = 0.5 * self.gradient(o).dot(d);
-        let Some(found) = roots::quadratic(a, b, self.value(o).0) else {
-            return [f64::NAN; 2];
-        };
-        found.map(|t| shift + self.polish(&ray, t))
+        let across = self.matrix * d;
+        let (a, b) = (d.dot(across), o.dot(across) + 0.5 * self.linear.dot(d));
+        let c = o.dot(self.matrix * o + self.linear) + self.constant;
+        Some((shift, ray, roots::quadratic(a, b, c)?))
+    }
+
+    /// Where a line meets it; no numbers where it doesn't.
+    fn hits(&self, ray: &Ray) -> [f64; 2] {
+        widest(
+            #[inline(always)]
+            || match self.near_hits(ray) {
+                Some((shift, ray, [one, other])) => {
+                    [shift + self.polish(&ray, one), shift + self.polish(&ray, other)]
+                }
+                None => [f64::NAN; 2],
+            },
+        )
     }
 
     /// Whether [`Quadric::stretch`] knows it.
@@ -95,9 +110,12 @@ impl Quadric {
     }
 
     /// One Newton step where it is smaller than what it corrects.
+    #[inline(always)]
     fn polish(&self, ray: &Ray, t: f64) -> f64 {
         let p = ray.at(t);
-        let step = self.value(p).0 / self.gradient(p).dot(ray.direction);
+        let turned = self.matrix * p;
+        let value = p.dot(turned + self.linear) + self.constant;
+        let step = value / (2.0 * turned + self.linear).dot(ray.direction);
         if step.abs() < 1e-6 * t.abs() { t - step } else { t }
     }
 }
@@ -218,8 +236,19 @@ impl Shape for Quadric {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let hit = self.hits(ray).into_iter().find(|t| range.contains(*t))?;
-        Some(Crossing::new(hit, 0))
+        widest(
+            #[inline(always)]
+            || {
+                let (shift, ray, near) = self.near_hits(ray)?;
+                for near in near {
+                    let t = shift + self.polish(&ray, near);
+                    if range.contains(t) {
+                        return Some(Crossing::new(t, 0));
+                    }
+                }
+                None
+            },
+        )
     }
 
     fn inside(&self, point: DVec3) -> bool {
