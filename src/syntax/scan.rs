@@ -168,17 +168,17 @@ pub(super) fn stretch(bytes: &[u8], start: usize) -> usize {
     at
 }
 
-/// How many comments are inside each other at most, or a little more: comments in strings count.
+/// How many comments are inside each other at most, or a little more: those in strings count.
 pub(super) fn depth_of_comments(bytes: &[u8]) -> usize {
-    let (mut depth, mut deepest) = (0_usize, 0);
-    let mut at = 0;
-    while let Some(slash) = bytes[at..].iter().position(|&byte| byte == b'/').map(|found| at + found) {
-        at = slash + 1;
-        if bytes.get(at) == Some(&b'*') {
-            (at, depth) = (at + 1, depth + 1);
-            deepest = deepest.max(depth);
-        } else if slash > 0 && bytes[slash - 1] == b'*' {
-            depth = depth.saturating_sub(1);
+    let (mut at, mut depth, mut deepest) = (0, 0, 0);
+    while at + 1 < bytes.len() {
+        match [bytes[at], bytes[at + 1]] {
+            [b'/', b'*'] => {
+                (at, depth) = (at + 2, depth + 1);
+                deepest = deepest.max(depth);
+            }
+            [b'*', b'/'] if depth > 0 => (at, depth) = (at + 2, depth - 1),
+            _ => at += 1,
         }
     }
     deepest

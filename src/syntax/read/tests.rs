@@ -49,8 +49,7 @@ fn comments_nest_but_not_without_end() {
     let nested = |levels: usize| format!("{}{} x", "/*".repeat(levels), "*/".repeat(levels));
     assert!(read(&nested(DEEPEST_COMMENT)).0.errors.is_empty());
     for levels in [DEEPEST_COMMENT + 1, 1_000_000] {
-        let (tree, _) = read(&nested(levels));
-        assert_eq!((tree.errors.len(), tree.nodes.len()), (1, 0), "{levels}");
+        assert_eq!(read(&nested(levels)).0.errors.len(), 1, "{levels}");
     }
     assert!(read(&"/* a / b */ ".repeat(2000)).0.errors.is_empty());
 }

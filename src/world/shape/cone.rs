@@ -39,7 +39,10 @@ impl Cone {
         );
         // In the coordinates (x, y, radius) each coefficient is a difference of squares, and Lagrange's
         // identity for their form gives the discriminant without its great cancellation.
-        let squares = |x: f64, y: f64, z: f64| (-z).mul_add(z, x.mul_add(x, y * y));
+        let squares = |x: f64, y: f64, z: f64| {
+            let (side, z) = ((x * x + y * y).sqrt(), z.abs());
+            (side - z) * (side + z)
+        };
         let (a, c) = (squares(d.x, d.y, d.z), squares(f.x, f.y, f.z));
         let b = f.x * d.x + f.y * d.y - f.z * d.z;
         let mut discriminant = squares(
