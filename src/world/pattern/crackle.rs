@@ -211,15 +211,16 @@ impl Seeds {
             Metric::Power(m) => self.sums(p, |d| d.abs().powf(m)),
         };
         let mut nearest = Nearest { sums: [f64::INFINITY; 3], seed: DVec3::ZERO };
-        for place in 0..ADJACENT {
-            if sums[place] < nearest.sums[2] {
-                nearest.meet(DVec3::new(self.x[place], self.y[place], self.z[place]), sums[place]);
+        for (place, &sum) in sums.iter().enumerate().take(ADJACENT) {
+            if sum < nearest.sums[2] {
+                nearest.meet(DVec3::new(self.x[place], self.y[place], self.z[place]), sum);
             }
         }
         nearest
     }
 
     /// The sums for a point. Written out: what is called for each place would not fill wide registers.
+    #[expect(clippy::needless_range_loop, reason = "four lists are gone through side by side")]
     #[inline(always)]
     fn sums(&self, p: DVec3, part: impl Fn(f64) -> f64) -> [f64; PLACES] {
         let mut sums = [0.0; PLACES];
