@@ -235,11 +235,20 @@ mod tests {
     }
 
     #[test]
-    fn of_what_calls_itself_nothing_is_known() {
+    fn of_what_calls_itself_without_end_nothing_is_known() {
         let body = binary(BinaryOp::Add, Expr::Recursion(vec![parameter(0)]), number(1.0));
         let function = compile(&expression(1, body)).unwrap();
-        assert!(!function.is_known());
         assert_eq!(function.enclose(&[Band::constant(1.0)]).reach.0[0], f64::INFINITY);
+    }
+
+    #[test]
+    fn bands_hold_what_calls_itself_so_many_times() {
+        let less = binary(BinaryOp::Subtract, parameter(1), number(1.0));
+        let again = Expr::Recursion(vec![binary(BinaryOp::Multiply, parameter(0), number(1.3)), less]);
+        let wave = binary(BinaryOp::Add, Expr::Call(Builtin::Sin, vec![again]), parameter(0));
+        let choice = vec![parameter(1), number(7.0), parameter(0), wave];
+        let counted = expression(2, Expr::Call(Builtin::Select, choice));
+        assert!(held(&expression(1, Expr::User(counted, vec![parameter(0), number(5.0)]))) < 1e-4);
     }
 
     #[test]

@@ -19,7 +19,7 @@ use crate::world::shape::cylinder::Cylinder;
 use crate::world::shape::disc::Disc;
 use crate::world::shape::empty::Empty;
 use crate::world::shape::julia_fractal::hypercomplex::Function;
-use crate::world::shape::julia_fractal::{JuliaFractal, Map};
+use crate::world::shape::julia_fractal::{JuliaFractal, Map, Orbit};
 use crate::world::shape::mesh::{self, Mesh};
 use crate::world::shape::ovus::Ovus;
 use crate::world::shape::plane::Plane;
@@ -221,13 +221,12 @@ fn fractal(julia: &scene::JuliaFractal) -> Option<JuliaFractal> {
     };
     let (normal, distance) = julia.slice;
     let normal = normal.try_normalize().filter(|normal| normal.w != 0.0)?;
-    Some(JuliaFractal {
+    Some(JuliaFractal::new(Orbit {
         constant: julia.parameter,
         map,
         iterations: julia.max_iteration.max(1),
-        step: 1.0 / julia.precision.max(1.0),
         slice: (-normal.truncate()).extend(distance) / normal.w,
-    })
+    }))
 }
 
 fn triangles(mesh: &Arc<scene::Mesh>) -> Compiled {

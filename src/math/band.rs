@@ -58,6 +58,25 @@ impl Band {
         Self::UNKNOWN.lanewise(|_| Strip::between(low, high))
     }
 
+    /// All between two bounds in each lane.
+    pub fn within(low: Lanes, high: Lanes) -> Self {
+        Self::of([0, 1, 2, 3].map(|i| Strip::between(low.0[i], high.0[i])))
+    }
+
+    /// One number in each lane.
+    pub fn numbers(numbers: Lanes) -> Self {
+        Self { middle: numbers, ..Self::constant(0.0) }
+    }
+
+    /// The same without the room for rounding, where it is but numbers: what counts down to an end has to reach it.
+    pub fn settled(self) -> Self {
+        let is_number = |i: usize| {
+            self.slope.0[i] == 0.0
+                && self.reach.0[i] <= 64.0 * ROUNDING * self.middle.0[i].abs() + 64.0 * TINY
+        };
+        if (0..Lanes::COUNT).all(is_number) { Self::numbers(self.middle) } else { self }
+    }
+
     /// The number, if it is one and the same everywhere.
     pub fn fixed(self) -> Option<f64> {
         let [first, ..] = self.middle.0;

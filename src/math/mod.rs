@@ -19,7 +19,7 @@ pub use band::Band;
 pub use bounds::Bounds;
 pub use color::{Rgb, Rgbft};
 pub use gamma::Gamma;
-pub use glam::{DAffine3, DMat3, DVec2, DVec3, DVec4};
+pub use glam::{DAffine3, DMat2, DMat3, DVec2, DVec3, DVec4};
 pub use lanes::Lanes;
 pub use spline::Spline;
 pub use transform::Transform;

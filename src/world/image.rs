@@ -1,5 +1,6 @@
 //! Images in memory and how they are laid over space (docs/spec/patterns-textures.md 6).
 
+pub(crate) mod along;
 pub mod map;
 
 pub use map::{ImageMap, Interpolation, Projection};

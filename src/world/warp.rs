@@ -9,7 +9,7 @@ pub use mapping::{Mapping, Projection};
 pub use repeat::Repeat;
 
 use crate::math::noise::Octaves;
-use crate::math::{DVec3, Transform};
+use crate::math::{Band, DVec3, Transform};
 
 /// One step on the way to a pattern.
 #[derive(Clone, Debug)]
@@ -48,11 +48,6 @@ impl Warps {
         self.steps.is_empty()
     }
 
-    /// The steps in the order a point goes through them.
-    pub(super) fn steps(&self) -> &[Warp] {
-        &self.steps
-    }
-
     /// Where the pattern sees `p`.
     pub fn point(&self, mut p: DVec3) -> DVec3 {
         for step in &self.steps {
@@ -66,6 +61,40 @@ impl Warps {
             };
         }
         p.clamp(-FARTHEST, FARTHEST)
+    }
+
+    /// Whether [`Warps::along`] says something.
+    pub fn are_held(&self) -> bool {
+        self.steps.iter().all(|step| match step {
+            Warp::BlackHole(hole) => hole.is_continuous(),
+            _ => true,
+        })
+    }
+
+    /// What holds the places where the pattern sees all points that these hold.
+    pub fn along(&self, mut p: [Band; 3]) -> [Band; 3] {
+        for step in &self.steps {
+            p = match step {
+                Warp::Transform(transform) => {
+                    let [axes @ .., origin] =
+                        [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ZERO].map(|p| transform.inverse_point(p));
+                    let [x, y, z] = p;
+                    [0, 1, 2].map(|i| {
+                        let [a, b, c] = axes.map(|axis| axis[i] - origin[i]);
+                        x * a + y * b + z * c + origin[i]
+                    })
+                }
+                Warp::Turbulence(amount, octaves) => {
+                    let [x, y, z] = octaves.vector_along(p);
+                    [p[0] + x * amount.x, p[1] + y * amount.y, p[2] + z * amount.z]
+                }
+                Warp::Repeat(repeat) => repeat.along(p),
+                Warp::BlackHole(hole) => hole.along(p),
+                Warp::Mapping(mapping) => mapping.along(p),
+                Warp::Cubic => mapping::cubic_along(p),
+            };
+        }
+        p
     }
 
     /// A normal seen from the pattern's space; only transforms turn it

@@ -36,23 +36,22 @@ enum Cell<S> {
     Doubt(Interval<S>),
 }
 
-/// Splits a range until every part is known or narrower than `least`.
+/// Splits a range until every part is known, or narrower than `least`, or one of too many.
 fn isolate<S: Scalar>(
     f: impl Fn(Interval<S>) -> Jet<S>,
     is_beyond: impl Fn(Interval<f64>) -> bool,
     range: Interval<S>,
     least: f64,
+    most: usize,
     mut found: impl FnMut(Cell<S>),
 ) {
     // Never through the middle, where symmetric shapes have their roots.
     const SHARE: f64 = 0.4823;
-    // A line in the surface, or within rounding of it, is zero everywhere: no use in going on for long.
-    const PARTS: usize = 3000;
     let mut rest = vec![range];
     let mut parts = 0;
     while let Some(part) = rest.pop() {
         parts += 1;
-        if parts > PARTS {
+        if parts > most {
             found(Cell::Doubt(part));
             continue;
         }
@@ -90,6 +89,10 @@ fn isolate<S: Scalar>(
     }
 }
 
+/// So many parts are looked at before what is left is in doubt, in doubles and in double-doubles: a line in the
+/// surface, or within rounding of it, is zero everywhere.
+const PARTS: [usize; 2] = [300, 3000];
+
 /// All zeros in a range.
 pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
     let (mut out, mut doubts) = (Zeros::default(), Vec::<Interval<Double>>::new());
@@ -100,8 +103,12 @@ pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
         |t| f.is_beyond(t),
         Interval { low, high },
         1e-9 * scale,
+        PARTS[0],
         |cell| match cell {
-            Cell::One(part) => ones.push(Interval { low: Double::of(part.low), high: Double::of(part.high) }),
+            Cell::One(part) => {
+                let Interval { low, high } = refined(|t| f.rough(t), part);
+                ones.push(Interval { low: Double::of(low), high: Double::of(high) });
+            }
             Cell::Doubt(part) => {
                 let (low, high) = (Double::of(part.low), Double::of(part.high));
                 match doubts.last_mut().filter(|last| last.high == low) {
@@ -118,6 +125,7 @@ pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
             |t| f.is_beyond(t),
             doubt,
             1e-20 * scale,
+            PARTS[1],
             |cell| match cell {
                 Cell::One(part) => ones.push(part),
                 Cell::Doubt(part) => out.doubtful.push(part.middle().to_f64()),
@@ -137,7 +145,7 @@ pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
 }
 
 /// The zero in a part where there is just one, as narrow as it gets.
-fn refined(f: impl Fn(Interval<Double>) -> Jet<Double>, mut part: Interval<Double>) -> Interval<Double> {
+fn refined<S: Scalar>(f: impl Fn(Interval<S>) -> Jet<S>, mut part: Interval<S>) -> Interval<S> {
     for _ in 0..200 {
         let (middle, slope) = (part.middle(), f(part).slope);
         let step = f(Interval::point(middle)).value / slope;

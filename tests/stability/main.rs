@@ -81,7 +81,7 @@ fn score<M: Subject>(model: &M, object: &str, size: f64, place: DVec3) -> Score 
             for number in from..(from + BATCH).min(rays) {
                 let one = target.shoot(number);
                 if one.false_hits + one.missed > 0 && std::env::var_os("POVISTA_STABILITY_SHOW").is_some() {
-                    println!("{object}\n  ray {number}: {:?} {one:?}", target.ray(number));
+                    println!("{object}\n  {}", target.story(number));
                 }
                 score.add(&one);
             }

@@ -22,6 +22,11 @@ pub(crate) trait Model: Sync {
 
     /// Half the side of a cube about the origin that holds the surface, or what is looked at of it.
     fn reach(&self) -> f64;
+
+    /// A ball that holds a piece, if there is need to pass over it quickly.
+    fn ball(&self, _piece: usize) -> Option<(DVec3, f64)> {
+        None
+    }
 }
 
 /// What is shot at: a [`Model`], or a surface whose crossings are found in a way of its own.
@@ -159,7 +164,14 @@ impl<M: Model> Subject for M {
     fn meet(&self, line: &Line) -> Meeting {
         let mut out = Meeting::default();
         let Some(half) = half_length(self, line) else { return out };
+        let (from, along) = (line.point(Double::of(0.0)), line.direction().normalize());
         for number in 0..self.pieces() {
+            let passes = self.ball(number).is_some_and(|(center, radius)| {
+                along.cross(center - from).length() > radius * 1.001 + 10.0 * line.room
+            });
+            if passes {
+                continue;
+            }
             let Zeros { at, doubtful, close } = zeros(&Piece { model: self, number, line }, -half, half);
             out.crossings.extend(at.into_iter().map(|t| Exact { t, piece: number, w: Double::of(0.0) }));
             out.doubtful.extend(doubtful);

@@ -113,6 +113,19 @@ impl<M: Subject> Target<'_, M> {
         found
     }
 
+    /// What there is to say about a ray: where it runs, and the crossings found and exact.
+    pub(crate) fn story(&self, number: u64) -> String {
+        let ray = self.ray(number);
+        let line = Line::new(&ray, self.place, self.model.reach());
+        let found: Vec<_> = self.found(&ray, &line).iter().map(|(t, _)| t - line.shift).collect();
+        let exact = self.model.meet(&line);
+        let crossings: Vec<_> = exact.crossings.iter().map(|crossing| crossing.t.to_f64()).collect();
+        format!(
+            "ray {number}: {ray:?}\n  found {found:?}\n  exact {crossings:?}, doubtful {:?}",
+            exact.doubtful
+        )
+    }
+
     pub(crate) fn shoot(&self, number: u64) -> Score {
         let ray = self.ray(number);
         let line = Line::new(&ray, self.place, self.model.reach());

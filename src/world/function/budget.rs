@@ -9,7 +9,13 @@ pub struct Budget {
     steps: Cell<u32>,
     depth: Cell<u32>,
     too_deep: Cell<bool>,
+    /// Calls of bands.
+    calls: Cell<u32>,
 }
+
+/// Stack that must be left, and how much is added when it is not.
+const RED_ZONE: usize = 64 << 10;
+const MORE: usize = 1 << 20;
 
 impl Budget {
     /// Terms of `sum` and `prod`, and calls of functions, in one evaluation: about half a second.
@@ -50,11 +56,26 @@ impl Budget {
         true
     }
 
+    /// Goes one call deeper where bands are asked for, both ways of every choice that is in doubt; `None` soon, as
+    /// nothing may come to an end there.
+    pub(super) fn a_little_deeper<T>(&self, call: impl FnOnce() -> T) -> Option<T> {
+        /// Calls of itself that a function may have open, and calls in all.
+        const DEPTH: u32 = 64;
+        const CALLS: u32 = 128;
+        let depth = self.depth.get();
+        let calls = self.calls.get();
+        if depth >= DEPTH || calls >= CALLS {
+            return None;
+        }
+        self.calls.set(calls + 1);
+        self.depth.set(depth + 1);
+        let value = stacker::maybe_grow(RED_ZONE, MORE, call);
+        self.depth.set(depth);
+        Some(value)
+    }
+
     /// Goes one call deeper, with stack to spare; NaN where that is too deep.
     pub(super) fn deeper(&self, call: impl FnOnce() -> f64) -> f64 {
-        /// Stack that must be left, and how much is added when it is not.
-        const RED_ZONE: usize = 64 << 10;
-        const MORE: usize = 1 << 20;
         let depth = self.depth.get();
         if depth >= Self::DEPTH {
             self.too_deep.set(true);

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use smallvec::SmallVec;
+
 use super::number::{Number, Unary};
 use super::{Budget, Function, Internal};
 use crate::math::Band;
@@ -136,11 +138,11 @@ impl Tape {
         self.evaluate(arguments, budget)
     }
 
-    /// Whether [`Self::enclose`] knows all that is in it.
+    /// Whether [`Self::enclose`] knows all that is in it; of a tape that calls itself as far as what it chooses by is
+    /// certain.
     pub fn is_known(&self) -> bool {
         self.ops.iter().all(|op| match &op.code {
             Code::Call(function, _) => function.is_known(),
-            Code::Recursion => false,
             _ => true,
         })
     }
@@ -311,9 +313,10 @@ impl Operand for Band {
         internal.enclose(arguments)
     }
 
-    /// Both ways of every choice would be gone, for ever.
-    fn recursion(_: &Tape, _: &[Self], _: &Budget) -> Self {
-        Self::UNKNOWN
+    /// Where no choice tells when to end, nothing is known.
+    fn recursion(tape: &Tape, arguments: &[Self], budget: &Budget) -> Self {
+        let settled: SmallVec<[Self; 8]> = arguments.iter().map(|argument| argument.settled()).collect();
+        budget.a_little_deeper(|| tape.enclose(&settled, budget)).unwrap_or(Self::UNKNOWN)
     }
 
     fn aside<const SIZE: usize>(tape: &Tape, way: Way, r: &mut [Self; SIZE], budget: &Budget) -> bool {

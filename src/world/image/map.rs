@@ -2,6 +2,7 @@
 //! (docs/spec/patterns-textures.md 6.2 … 6.6 and 4.5).
 
 use std::f64::consts::{PI, TAU};
+use std::ops::{Add, Mul, Neg};
 use std::sync::Arc;
 
 use super::{Image, Pixels};
@@ -238,7 +239,7 @@ impl ImageMap {
     }
 
     /// The colour of the pixel with these whole coordinates, which may lie outside.
-    fn pixel(&self, x: f64, y: f64) -> Rgbft {
+    pub(super) fn pixel(&self, x: f64, y: f64) -> Rgbft {
         let (x, y) = self.inside(x, y);
         let mut color = self.image.color(x, y);
         color.filter += self.clearness[0];
@@ -256,13 +257,17 @@ impl ImageMap {
     }
 }
 
-fn cubic_weights(p: f64) -> [f64; 4] {
-    let q = 1.0 - p;
+/// The weights of four neighbours, of numbers or of what holds them.
+pub(super) fn cubic_weights<N>(p: N) -> [N; 4]
+where
+    N: Copy + Neg<Output = N> + Mul<Output = N> + Mul<f64, Output = N> + Add<f64, Output = N>,
+{
+    let q = -p + 1.0;
     [
-        -0.5 * p * q * q,
-        0.5 * q * (q * (3.0 * p + 1.0) + 1.0),
-        0.5 * p * (p * (3.0 * q + 1.0) + 1.0),
-        -0.5 * q * p * p,
+        p * q * q * -0.5,
+        q * (q * (p * 3.0 + 1.0) + 1.0) * 0.5,
+        p * (p * (q * 3.0 + 1.0) + 1.0) * 0.5,
+        q * p * p * -0.5,
     ]
 }
 

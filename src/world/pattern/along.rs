@@ -1,13 +1,13 @@
 //! Patterns along lines: bounds of their values, for surfaces that are made of them.
 //!
-//! Of patterns that jump, and of those made of cells, nothing is said.
+//! Of pavements and other tilings, of bricks, spirals, fractals and voxels nothing is said.
 
 use std::f64::consts::{PI, TAU};
 
 use super::noise::WRINKLES;
-use super::{Formula, PERIOD, Pattern, Wave, agate, ripples, wood};
-use crate::math::{Band, DVec3};
-use crate::world::warp::{Warp, Warps};
+use super::{Formula, PERIOD, Pattern, Wave, agate, cells, quilted, ripples, simple, wood};
+use crate::math::noise::EPSILON;
+use crate::math::{Band, DVec3, Lanes};
 
 /// A point.
 type Point = [Band; 3];
@@ -48,21 +48,27 @@ impl Formula {
     fn is_held(&self) -> bool {
         match self {
             Self::Function(field) | Self::Pigment(field) => field.is_known(),
+            Self::Crackle(crackle) => crackle.is_held(),
             Self::Agate(_)
             | Self::Boxed
             | Self::Bozo(_)
             | Self::Bumps(_)
+            | Self::Cells
+            | Self::Checker
             | Self::Cylindrical
             | Self::Dents(_)
             | Self::Gradient(_)
             | Self::Granite(_)
+            | Self::Image(_)
             | Self::Leopard
             | Self::Marble(_)
             | Self::Onion
             | Self::Planar
+            | Self::Quilted(_)
             | Self::Radial
             | Self::Ripples(_)
             | Self::Spherical
+            | Self::Square
             | Self::Waves(_)
             | Self::Wood(_)
             | Self::Wrinkles(_) => true,
@@ -84,6 +90,9 @@ impl Formula {
             Self::Agate(agate) => agate.along(p),
             Self::Boxed => fall(x.abs().max(y.abs()).max(z.abs())),
             Self::Bozo(generator) | Self::Bumps(generator) => Band::noise(*generator, *p),
+            Self::Cells => in_cells(p, [0.0, 1.0], cells::value),
+            Self::Checker => in_cells(p, [0.0, 1.0], simple::checker),
+            Self::Crackle(crackle) => crackle.along(p),
             Self::Cylindrical => fall((x.square() + z.square()).sqrt()),
             Self::Dents(generator) => {
                 let n = Band::noise(*generator, *p);
@@ -92,6 +101,7 @@ impl Formula {
             Self::Function(function) => fold(function.enclose(p)),
             Self::Gradient(d) => fold(x * d.x + y * d.y + z * d.z),
             Self::Granite(generator) => granite(*generator, p),
+            Self::Image(map) => map.pattern_along(p),
             Self::Leopard => {
                 let wave = (x.sin_cos().0 + y.sin_cos().0 + z.sin_cos().0) * (1.0 / 3.0);
                 wave.square()
@@ -100,14 +110,65 @@ impl Formula {
             Self::Onion => length(p).remainder(ONE),
             Self::Pigment(pigment) => pigment.enclose(p),
             Self::Planar => fall(y.abs()),
+            Self::Quilted(quilted) => quilted.along(p),
             Self::Radial => radial(p),
             Self::Ripples(ripples) => ripples.ripples_along(p),
             Self::Spherical => fall(length(p)),
+            Self::Square => in_cells(&[x, ZERO, z], [0.0, 3.0], simple::square),
             Self::Waves(ripples) => ripples.waves_along(p),
             Self::Wood(wood) => wood.along(p),
             Self::Wrinkles(generator) => wrinkles(*generator, p),
             _ => Band::UNKNOWN,
         }
+    }
+}
+
+/// So many unit cubes are looked at one by one.
+const CUBES: f64 = 27.0;
+
+/// Coordinates up to here have cubes with numbers of 32 bits.
+const FAR: f64 = 1e9;
+
+/// A pattern that has one value in every unit cube, and what all of them are between.
+fn in_cells(p: &Point, [least, most]: [f64; 2], value: impl Fn(DVec3) -> f64) -> Band {
+    let room = 2.0 * EPSILON;
+    let (low, high) =
+        (p.map(|c| (c.low() - room).map(f64::floor)), p.map(|c| (c.high() + room).map(f64::floor)));
+    let bounds: [[f64; 2]; Lanes::COUNT] = std::array::from_fn(|lane| {
+        let (from, to) = (low.map(|c| c.0[lane]), high.map(|c| c.0[lane]));
+        let count: f64 = (0..3).map(|i| to[i] - from[i] + 1.0).product();
+        let near = from.iter().chain(&to).all(|c| c.abs() < FAR);
+        if !(near && count <= CUBES) {
+            return [least, most];
+        }
+        let mut bounds = [f64::INFINITY, f64::NEG_INFINITY];
+        let steps =
+            |i: usize| (0..=(to[i] - from[i]) as u32).map(move |step| from[i] + f64::from(step) + 0.5);
+        for x in steps(0) {
+            for y in steps(1) {
+                for z in steps(2) {
+                    let v = value(DVec3::new(x, y, z));
+                    bounds = [bounds[0].min(v), bounds[1].max(v)];
+                }
+            }
+        }
+        bounds
+    });
+    Band::within(Lanes(bounds.map(|[low, _]| low)), Lanes(bounds.map(|[_, high]| high)))
+}
+
+impl quilted::Quilted {
+    fn along(&self, p: &Point) -> Band {
+        // From the middle of the cushion; where it may be another's, as far as from the seam.
+        let v = p.map(|c| {
+            let cell = c.floor();
+            let from_seam = -(c - (c + 0.5).floor()).abs() + 0.5;
+            from_seam.where_positive(cell.reach, (c - cell - 0.5).abs())
+        });
+        let t = length(&v);
+        let s = -t + 1.0;
+        let profile = t * t * t + t * (s * s) * (3.0 * self.control0) + (t * t) * s * (3.0 * self.control1);
+        profile.abs() * (v[0] + v[1] + v[2]) * (1.154700538 / 3.0)
     }
 }
 
@@ -211,107 +272,5 @@ impl ripples::Ripples {
     }
 }
 
-impl Warps {
-    /// Whether [`Warps::along`] says something.
-    fn are_held(&self) -> bool {
-        self.steps().iter().all(|step| matches!(step, Warp::Transform(_) | Warp::Turbulence(..)))
-    }
-
-    fn along(&self, mut p: Point) -> Point {
-        for step in self.steps() {
-            p = match step {
-                Warp::Transform(transform) => {
-                    let [axes @ .., origin] =
-                        [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ZERO].map(|p| transform.inverse_point(p));
-                    let [x, y, z] = p;
-                    [0, 1, 2].map(|i| {
-                        let [a, b, c] = axes.map(|axis| axis[i] - origin[i]);
-                        x * a + y * b + z * c + origin[i]
-                    })
-                }
-                Warp::Turbulence(amount, octaves) => {
-                    let [x, y, z] = octaves.vector_along(p);
-                    [p[0] + x * amount.x, p[1] + y * amount.y, p[2] + z * amount.z]
-                }
-                _ => [Band::UNKNOWN; 3],
-            };
-        }
-        p
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math::noise::Octaves;
-    use crate::math::{Lanes, Transform};
-    use crate::world::sample::{Field, Sample};
-
-    /// Checks that bands along lines long and short hold a pattern's values, and that short ones are narrow.
-    #[track_caller]
-    fn holds(pattern: &Pattern) {
-        assert!(pattern.is_known());
-        let mut narrow = 0;
-        for n in 0..300 {
-            let middle = DVec3::new(0.017, -0.023, 0.019) * f64::from(n) + DVec3::new(-2.1, 3.2, -2.7);
-            let along = DVec3::new(0.6, 0.5, -0.7) * 0.5_f64.powi(n % 30);
-            let at = [0, 1, 2].map(|i| Band::line(Lanes::splat(middle[i]), Lanes::splat(along[i])));
-            let band = pattern.enclose(&at);
-            for step in -8..=8 {
-                let s = f64::from(step) / 8.0;
-                let value = pattern.value(&Sample::at(middle + s * along));
-                let line = band.middle.0[2] + band.slope.0[2] * s;
-                let off = (value - line).abs();
-                assert!(
-                    off <= band.reach.0[2] * (1.0 + 1e-12),
-                    "{pattern:?} at {middle} + {s} {along}: {value}, {band:?}"
-                );
-            }
-            if n % 30 == 29 {
-                narrow += u32::from(band.reach.0[2] < 1e-5);
-            }
-        }
-        assert!(narrow >= 6, "{pattern:?}: {narrow}");
-    }
-
-    #[test]
-    fn bands_of_patterns_hold_their_values() {
-        let octaves = Octaves { count: 3, omega: 0.5, lambda: 2.0 };
-        let own = agate::OwnTurbulence { amount: DVec3::new(0.4, 0.3, 0.2), octaves, generator: 2 };
-        let formulas = [
-            Formula::Agate(agate::Agate { strength: 1.0, octaves, generator: 2 }),
-            Formula::Boxed,
-            Formula::Bozo(1),
-            Formula::Bozo(3),
-            Formula::Cylindrical,
-            Formula::Dents(2),
-            Formula::Gradient(DVec3::new(0.6, 0.8, 0.0)),
-            Formula::Granite(1),
-            Formula::Granite(2),
-            Formula::Leopard,
-            Formula::Marble(agate::Marble { turbulence: Some(own) }),
-            Formula::Onion,
-            Formula::Planar,
-            Formula::Radial,
-            Formula::Spherical,
-            Formula::Wood(wood::Wood { turbulence: None }),
-            Formula::Wood(wood::Wood { turbulence: Some(own) }),
-            Formula::Wrinkles(2),
-        ];
-        let turned =
-            Transform::rotate(DVec3::new(20.0, 30.0, 40.0)).then(&Transform::scale(DVec3::splat(1.7)));
-        let steps = [Warp::Transform(Box::new(turned)), Warp::Turbulence(DVec3::new(0.3, 0.2, 0.4), octaves)];
-        let waves = [Wave::Ramp, Wave::Triangle, Wave::Sine, Wave::Scallop, Wave::Cubic, Wave::Poly(1.5)];
-        for (n, formula) in formulas.into_iter().enumerate() {
-            holds(&Pattern::plain(formula.clone()));
-            let warps = Warps::new(steps.clone());
-            holds(&Pattern {
-                warps,
-                frequency: 1.7,
-                phase: 0.2,
-                wave: waves[n % 6],
-                ..Pattern::plain(formula)
-            });
-        }
-    }
-}
+mod tests;

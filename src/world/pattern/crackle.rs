@@ -1,5 +1,7 @@
 //! `crackle` and the seeds of `facets` (docs/spec/patterns-textures.md 2.3 and 4.3).
 
+mod along;
+
 use std::cell::RefCell;
 use std::sync::LazyLock;
 

@@ -1,26 +1,39 @@
 //! `julia_fractal` (docs/spec/primitives.md 5.3).
 
+mod along;
 pub mod hypercomplex;
 
+use std::sync::Arc;
+
+use super::isosurface::{Container, Isosurface, Steepest};
 use super::sphere::Sphere;
 use super::{Crossing, Shape};
-use crate::math::roots::between;
-use crate::math::{Bounds, DVec3, DVec4};
+use crate::math::wide::widest;
+use crate::math::{Band, Bounds, DVec3, DVec4};
+use crate::world::sample::{Field, Sample};
 use crate::world::{Range, Ray};
 use hypercomplex::Function;
 
 /// The points of a slice through four dimensions that never leave a ball while a function with a
 /// constant added is applied to them again and again.
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// That is where a function of the point isn't above zero: [`Orbit::excess`]. It is found as any such surface, by
+/// bands, so that no step is too long. (POV-Ray marches, and passes by what is thinner than its steps.)
+#[derive(Clone, Debug)]
 pub struct JuliaFractal {
+    orbit: Orbit,
+    surface: Isosurface,
+}
+
+/// What makes a [`JuliaFractal`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orbit {
     /// The constant.
     pub constant: DVec4,
     /// What is applied.
     pub map: Map,
-    /// How many times; at least 1.
+    /// How many points of an orbit are looked at; at least 1.
     pub iterations: u32,
-    /// The shortest step of the march.
-    pub step: f64,
     /// The fourth coordinate of a point, as factors of the others and a constant.
     pub slice: DVec4,
 }
@@ -42,12 +55,12 @@ pub enum Map {
     Hypercomplex(Function),
 }
 
-/// How far behind its start a ray begins to look for the surface that may be there, many times what rounding
-/// moves it by. The ball's radius is about 2 whatever the size of the object.
-const NEAR: f64 = 1e-12;
+/// The length of a stretch that isn't divided any more, where bands leave it open whether the surface is met twice or
+/// not at all. The ball's radius is about 2 whatever the size of the object.
+const FINE: f64 = 1e-6;
 
-/// The same for a ray that has just left a surface: this one is rough, and as for POV-Ray's shadow rays there is
-/// none at once.
+/// How far behind its start a ray that has just left a surface begins to look: this one is rough, and as for POV-Ray's
+/// shadow rays there is none at once.
 const AT_ONCE: f64 = 1e-3;
 
 /// The product of quaternions with the real part first.
@@ -60,16 +73,7 @@ fn product(a: DVec4, b: DVec4) -> DVec4 {
     )
 }
 
-/// What an orbit says about the point it began at.
-struct Orbit {
-    inside: bool,
-    /// By how much the square of its last distance exceeds that at which it has escaped.
-    excess: f64,
-    /// How far the march may safely go.
-    clear: f64,
-}
-
-impl JuliaFractal {
+impl Orbit {
     fn is_quaternion(&self) -> bool {
         matches!(self.map, Map::Square | Map::Cube)
     }
@@ -99,34 +103,23 @@ impl JuliaFractal {
         image + self.constant
     }
 
-    /// Follows the orbit of a point; `direction` is a unit vector along the march.
-    fn follow(&self, p: DVec3, direction: DVec3) -> Orbit {
+    /// By how much the square of an orbit's greatest distance exceeds that at which it has escaped: at most 1, as
+    /// orbits that have escaped for good are soon no numbers.
+    fn excess(&self, p: DVec3) -> f64 {
         let escape = self.escape();
         let mut q = self.start(p);
-        let mut chain = 1.0;
-        let mut excess = 0.0;
+        let mut most = -escape;
         for turn in 0..self.iterations {
-            let square = q.length_squared();
-            excess = square - escape;
-            chain *= square.sqrt();
-            if square > escape || square.is_nan() {
-                let clear = match self.map {
-                    Map::Square => spread(square, chain, 0.5_f64.powi(turn as i32 + 1)),
-                    Map::Cube => spread(square, chain, (1.0 / 3.0_f64).powi(turn as i32 + 1)),
-                    _ => self.clearance(p, direction, turn, square),
-                };
-                return Orbit { inside: false, excess, clear: clear.max(self.step) };
+            let excess = q.length_squared() - escape;
+            if excess >= 1.0 || excess.is_nan() {
+                return 1.0;
             }
-            q = self.apply(q);
+            most = most.max(excess);
+            if turn + 1 < self.iterations {
+                q = self.apply(q);
+            }
         }
-        Orbit { inside: true, excess, clear: self.step }
-    }
-
-    /// POV-Ray's guess of how far a hypercomplex orbit that escaped is from one that doesn't.
-    fn clearance(&self, p: DVec3, direction: DVec3, turn: u32, square: f64) -> f64 {
-        let slope = -2.0 * self.gradient(p, turn).dot(direction);
-        let clear = square / slope;
-        if slope > 2e-8 && clear > self.step && clear < 30.0 * self.step { clear } else { self.step }
+        most
     }
 
     /// The gradient of the orbit's squared distance after so many iterations.
@@ -168,96 +161,95 @@ impl JuliaFractal {
             -t.z * q.x - t.w * q.y + t.x * q.z + t.y * q.w,
         )
     }
+}
 
-    /// Calls back with the distance of every crossing behind `start`, ascending, until it returns `false`.
-    fn walk(&self, ray: &Ray, start: f64, mut found: impl FnMut(f64) -> bool) {
-        let speed = ray.direction.length();
-        let ball = Sphere { center: DVec3::ZERO, radius: self.radius() };
-        let Some(stretch) = ball.stretch(ray).filter(|s| s.leave.t > start && s.enter.t.is_finite()) else {
-            return;
-        };
-        let begin = start.max(stretch.enter.t);
-        let (origin, direction) = (ray.at(begin), ray.direction / speed);
-        let end = (stretch.leave.t - begin) * speed;
-        let at = |t: f64| self.follow(origin + t * direction, direction);
-        // Rays that leave a surface start at 0.
-        let mut t = if begin == 0.0 && start == 0.0 { AT_ONCE } else { NEAR };
-        let mut here = at(t);
-        // What reaches the ball ends there.
-        if here.inside && begin > start && !found(begin) {
-            return;
-        }
-        while t < end {
-            let next = t + here.clear;
-            if next > end {
-                if here.inside {
-                    found(stretch.leave.t);
-                }
-                return;
-            }
-            let there = at(next);
-            if there.inside != here.inside {
-                // Close to the surface the sign is that of a smooth function: whether the last turn escapes.
-                let sign = |orbit: &Orbit| {
-                    if orbit.inside { orbit.excess } else { orbit.excess.max(f64::MIN_POSITIVE) }
-                };
-                let root = between((t, sign(&here)), (next, sign(&there)), |t| sign(&at(t)));
-                if !found(begin + root / speed) {
-                    return;
-                }
-            }
-            (t, here) = (next, there);
-        }
+impl Field for Orbit {
+    fn value(&self, sample: &Sample) -> f64 {
+        self.excess(sample.point)
+    }
+
+    fn enclose(&self, point: &[Band; 3]) -> Band {
+        widest(
+            #[inline(always)]
+            || self.along(point),
+        )
+    }
+
+    fn is_known(&self) -> bool {
+        true
     }
 }
 
-/// The estimate for quaternions that escaped: how fast orbits part, from the product of all lengths.
-fn spread(square: f64, chain: f64, share: f64) -> f64 {
-    share * square.sqrt() / chain * square.ln()
+impl JuliaFractal {
+    /// The fractal of these orbits.
+    pub fn new(orbit: Orbit) -> Self {
+        let surface = Isosurface {
+            function: Arc::new(orbit),
+            threshold: 0.0,
+            container: Container::Sphere(Sphere { center: DVec3::ZERO, radius: orbit.radius() }),
+            accuracy: FINE,
+            max_gradient: 1.0,
+            adaptive: None,
+            most: usize::MAX,
+            open: false,
+            steepest: Steepest::default(),
+        };
+        Self { orbit, surface }
+    }
+
+    /// Where to begin to look along a ray: those that leave a surface start at 0.
+    fn begin(ray: &Ray, range: Range) -> Range {
+        let skipped = if range.min == 0.0 { AT_ONCE / ray.direction.length() } else { range.min };
+        Range { min: skipped, ..range }
+    }
 }
 
 impl Shape for JuliaFractal {
     fn bounds(&self) -> Bounds {
-        let half = DVec3::splat(self.radius());
-        Bounds::new(-half, half)
+        self.surface.bounds()
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        self.walk(ray, range.min, |t| {
-            if range.contains(t) {
-                out.push(Crossing::new(t, 0));
-            }
-            t < range.max
-        });
+        self.surface.crossings(ray, Self::begin(ray, range), out);
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let mut nearest = None;
-        self.walk(ray, range.min, |t| {
-            nearest = range.contains(t).then(|| Crossing::new(t, 0));
-            nearest.is_none() && t < range.max
-        });
-        nearest
+        self.surface.nearest(ray, Self::begin(ray, range))
     }
 
     fn inside(&self, point: DVec3) -> bool {
-        self.follow(point, DVec3::ZERO).inside
+        self.orbit.excess(point) <= 0.0
     }
 
     fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
-        self.gradient(point, self.iterations).normalize_or(DVec3::X)
+        self.orbit.gradient(point, self.orbit.iterations).normalize_or(DVec3::X)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::battery::{Probe, table};
+    use super::super::battery::{Probe, battery, table};
     use super::*;
-    use crate::math::DVec2;
+    use crate::math::{DVec2, Lanes};
 
-    fn make(constant: [f64; 4], map: Map, iterations: u32, precision: f64) -> JuliaFractal {
-        let constant = DVec4::from(constant);
-        JuliaFractal { constant, map, iterations, step: 1.0 / precision, slice: DVec4::ZERO }
+    fn make(constant: [f64; 4], map: Map, iterations: u32) -> JuliaFractal {
+        JuliaFractal::new(Orbit { constant: DVec4::from(constant), map, iterations, slice: DVec4::ZERO })
+    }
+
+    /// POV-Ray's square, and a function.
+    fn quaternion() -> JuliaFractal {
+        make([-0.083, 0.0, -0.83, -0.025], Map::Square, 4)
+    }
+
+    fn sine() -> JuliaFractal {
+        make([-0.162, 0.163, 0.56, -0.599], Map::Hypercomplex(Function::Sin), 3)
+    }
+
+    battery! {
+        square: || quaternion();
+        cube: || make([-0.162, 0.163, 0.56, -0.599], Map::Cube, 3);
+        hypercomplex: || make([-0.162, 0.163, 0.56, -0.599], Map::HypercomplexSquare { cube: false }, 4);
+        function: || sine();
     }
 
     /// POV-Ray bisects to 1e-7: points agree to that, normals a little less.
@@ -270,7 +262,7 @@ mod tests {
 
     #[test]
     fn quaternions_agree_with_povray() {
-        let square = make([-0.083, 0.0, -0.83, -0.025], Map::Square, 8, 15.0);
+        let square = make([-0.083, 0.0, -0.83, -0.025], Map::Square, 8);
         let ahead = [0.0, 0.0, 1.0];
         let from = [0.1, 0.2, -5.0];
         near(
@@ -294,7 +286,7 @@ mod tests {
             inside <0.9,0,0> | 0
             extent | <-1.834514379501343, -1.834514379501343, -1.834514379501343> .. <1.834514379501343, 1.834514379501343, 1.834514379501343>",
         );
-        let cube = make([-0.162, 0.163, 0.56, -0.599], Map::Cube, 6, 30.0);
+        let cube = make([-0.162, 0.163, 0.56, -0.599], Map::Cube, 6);
         near(
             &cube,
             from,
@@ -304,7 +296,7 @@ mod tests {
         );
         let normal = DVec4::new(0.3, 0.2, 0.1, 0.9).normalize();
         let slice = (-normal.truncate()).extend(0.1) / normal.w;
-        let sliced = JuliaFractal { slice, ..square };
+        let sliced = JuliaFractal::new(Orbit { slice, ..square.orbit });
         near(
             &sliced,
             from,
@@ -316,7 +308,7 @@ mod tests {
 
     #[test]
     fn rays_that_leave_the_surface_outward_are_seldom_stopped_at_once() {
-        let fractal = make([-0.083, 0.0, -0.83, -0.025], Map::Square, 6, 20.0);
+        let fractal = make([-0.083, 0.0, -0.83, -0.025], Map::Square, 6);
         let (mut left, mut stopped) = (0, 0);
         for number in 0..1000_u32 {
             let at =
@@ -333,7 +325,7 @@ mod tests {
 
     #[test]
     fn hypercomplex_numbers_agree_with_povray() {
-        let of = |map| make([-0.162, 0.163, 0.56, -0.599], map, 6, 30.0);
+        let of = |map| make([-0.162, 0.163, 0.56, -0.599], map, 6);
         let (from, direction) = ([0.1, 0.2, -7.0], [0.01, 0.02, 1.0]);
         let square = of(Map::HypercomplexSquare { cube: false });
         near(
@@ -359,17 +351,62 @@ mod tests {
     /// POV-Ray looks for these on a wrong point and takes wrong normals.
     #[test]
     fn functions_have_the_normals_of_their_surface() {
-        let fractal = make([-0.162, 0.163, 0.56, -0.599], Map::Hypercomplex(Function::Sin), 3, 30.0);
+        let fractal = sine();
         let hit = Probe::new([0.1, 0.2, -7.0].into(), [0.01, 0.02, 1.0].into()).hit(&fractal).unwrap();
         let beyond = |p: DVec3| {
-            let mut q = fractal.start(p);
-            for _ in 0..fractal.iterations {
-                q = fractal.apply(q);
+            let mut q = fractal.orbit.start(p);
+            for _ in 0..fractal.orbit.iterations {
+                q = fractal.orbit.apply(q);
             }
             q.length_squared()
         };
         let rise = |axis: DVec3| beyond(hit.point + 1e-6 * axis) - beyond(hit.point - 1e-6 * axis);
         let normal = DVec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z)).normalize();
         assert!(hit.normal.abs_diff_eq(normal, 1e-6), "{} {normal}", hit.normal);
+    }
+
+    #[test]
+    fn bands_hold_how_far_orbits_escape() {
+        use Function::*;
+        let functions = [
+            Exp,
+            Ln,
+            Sin,
+            Asin,
+            Sinh,
+            Asinh,
+            Cos,
+            Acos,
+            Cosh,
+            Acosh,
+            Tan,
+            Atan,
+            Tanh,
+            Atanh,
+            Reciprocal,
+            Power(DVec2::new(3.0, 0.5)),
+        ];
+        let squares = [Map::Square, Map::Cube, Map::HypercomplexSquare { cube: false }];
+        for map in functions.map(Map::Hypercomplex).into_iter().chain(squares) {
+            let orbit = make([-0.162, 0.163, 0.56, -0.599], map, 5).orbit;
+            let slice = DVec4::new(0.2, -0.3, 0.1, 0.05);
+            let mut narrow = 0;
+            for orbit in [orbit, Orbit { slice, ..orbit }] {
+                for n in 0..400 {
+                    let middle = DVec3::new(0.37, 0.71, 0.53) * f64::from(n);
+                    let middle = 3.0 * middle.fract_gl() - 1.5;
+                    let along = DVec3::new(0.6, 0.5, -0.7) * 0.5_f64.powi(n % 25);
+                    let at = [0, 1, 2].map(|i| Band::line(Lanes::splat(middle[i]), Lanes::splat(along[i])));
+                    let band = orbit.enclose(&at);
+                    for step in -8..=8 {
+                        let s = f64::from(step) / 8.0;
+                        let off = orbit.excess(middle + s * along) - band.middle.0[1] - band.slope.0[1] * s;
+                        assert!(off.abs() <= band.reach.0[1] * (1.0 + 1e-9), "{map:?} {n}: {off:e} {band:?}");
+                    }
+                    narrow += u32::from(n % 25 > 20 && band.reach.0[1] < 1e-3);
+                }
+            }
+            assert!(narrow > 100, "{map:?}: {narrow}");
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! `parametric` (docs/spec/primitives.md 4.6).
 
+mod local;
 mod piece;
 
 use std::sync::Arc;
@@ -26,6 +27,8 @@ pub struct Parametric {
     corners: Vec<DVec3>,
     bvh: Bvh,
     bounds: Bounds,
+    /// Whether bands tell what the functions do.
+    known: bool,
 }
 
 /// What makes a [`Parametric`].
@@ -53,9 +56,6 @@ const FINE: f64 = 1.0 / 16.0;
 
 /// Crossings nearer to each other, as a share of all parameters, are one.
 const SAME: f64 = 1e-10;
-
-/// The step of slopes for Newton's method, as a share of all parameters.
-const STEP: f64 = 1e-6;
 
 /// A rectangle of parameters, with the points at its corners by u and v.
 #[derive(Clone, Copy, Debug)]
@@ -129,8 +129,14 @@ impl Parametric {
         if !(size.cmpgt(DVec2::ZERO).all() && size.is_finite()) {
             return None;
         }
-        let mut surface =
-            Self { description, corners: Vec::new(), bvh: Bvh::new(Vec::new()), bounds: Bounds::EMPTY };
+        let known = description.functions.iter().all(|function| function.is_known());
+        let mut surface = Self {
+            description,
+            corners: Vec::new(),
+            bvh: Bvh::new(Vec::new()),
+            bounds: Bounds::EMPTY,
+            known,
+        };
         let places = (0..=TILES).flat_map(|u| (0..=TILES).map(move |v| (u, v)));
         surface.corners = places.map(|(u, v)| surface.point(surface.parameters(u, v))).collect();
         let container = surface.extent();
@@ -187,16 +193,6 @@ impl Parametric {
         halves
     }
 
-    /// How fast the point goes along u and v.
-    fn slopes(&self, at: DVec2) -> [DVec3; 2] {
-        let Description { from, to, .. } = self.description;
-        [DVec2::X, DVec2::Y].map(|axis| {
-            let step = STEP * (to - from) * axis;
-            let (before, after) = ((at - step).max(from), (at + step).min(to));
-            (self.point(after) - self.point(before)) / (after - before).dot(axis)
-        })
-    }
-
     /// Calls back with every crossing; the answer is a new upper end.
     fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> f64) {
         let Some(stretch) = self.description.container.stretch(ray).filter(|s| s.enter.t.is_finite()) else {
@@ -207,23 +203,30 @@ impl Parametric {
         let fine = finest.max_element().max(self.description.accuracy.min(finest.max_element() / FINE));
         let mut max = range.max;
         let mut waiting = Vec::new();
+        let piece = Piece::new(self, ray);
         self.bvh.along(ray, range, |number| {
-            let [low, high] = self.halves(&self.tile(number));
-            waiting.extend([high, low]);
+            let tile = self.tile(number);
+            // Bands tell of a whole tile whether it has to be divided.
+            if self.known {
+                waiting.push(tile)
+            } else {
+                waiting.extend(self.halves(&tile))
+            }
             while let Some(tile) = waiting.pop() {
-                let cuboid = Cuboid { min: tile.bounds.min, max: tile.bounds.max };
-                let Some(Stretch { enter, leave }) = cuboid.stretch(ray) else { continue };
-                let (low, high) = (enter.t.max(stretch.enter.t), leave.t.min(stretch.leave.t));
-                if low > high || high < range.min || low > max {
-                    continue;
+                if !self.known {
+                    let cuboid = Cuboid { min: tile.bounds.min, max: tile.bounds.max };
+                    let Some(Stretch { enter, leave }) = cuboid.stretch(ray) else { continue };
+                    let (low, high) = (enter.t.max(stretch.enter.t), leave.t.min(stretch.leave.t));
+                    if low > high || high < range.min || low > max {
+                        continue;
+                    }
+                    let small = (tile.to - tile.from).max_element() <= fine;
+                    if !small && (leave.t - enter.t) * speed >= self.description.accuracy {
+                        waiting.extend(self.halves(&tile));
+                        continue;
+                    }
                 }
-                let small = (tile.to - tile.from).max_element() <= fine;
-                if !small && (leave.t - enter.t) * speed >= self.description.accuracy {
-                    let [low, high] = self.halves(&tile);
-                    waiting.extend([high, low]);
-                    continue;
-                }
-                Piece::new(self, ray).meet(tile.from, tile.to, tile.corners, &mut |crossing| {
+                piece.meet(tile.from, tile.to, &mut |crossing| {
                     let t = crossing.t;
                     if range.contains(t) && t < max && stretch.enter.t <= t && t <= stretch.leave.t {
                         max = found(crossing);

@@ -1,28 +1,45 @@
 //! Pigments along lines: bounds of their colours, for surfaces that functions of them make.
 //!
-//! Known are single colours, and maps of colours over patterns of which something is known.
+//! Known are single colours and images, and maps of what is known over patterns of which something is known.
 
-use super::Pigment;
+use super::{BlendMap, Pigment};
 use crate::math::Band;
-use crate::math::color::grey;
-use crate::math::{Rgb, Rgbft};
+use crate::math::{Lanes, Rgbft};
+use crate::world::image::along::ROUNDING;
+use crate::world::pattern::Pattern;
 use crate::world::sample::Field;
 
-/// More than single precision takes from a colour's components, as a share of the largest.
-const ROUNDING: f64 = 4.0 * f32::EPSILON as f64;
+/// A number made of a colour; linear.
+pub(super) type Of<'a> = &'a dyn Fn(&Rgbft) -> f64;
 
 impl Pigment {
     /// Whether [`Pigment::along`] says something.
     pub(super) fn is_held(&self) -> bool {
         match self {
-            Self::Color(_) => true,
-            Self::Colors(pattern, map) => pattern.is_known() && map.entries().is_sorted_by(|a, b| a.0 <= b.0),
-            _ => false,
+            // Texture coordinates are those of the point that was asked for first.
+            Self::UvMapped(pigment) => pigment.is_held_inside(),
+            _ => self.is_held_inside(),
         }
     }
 
-    /// What holds a number made of the colours of points that these hold; `of` has to be linear.
-    pub(super) fn along(&self, point: &[Band; 3], of: impl Fn(&Rgbft) -> f64) -> Band {
+    fn is_held_inside(&self) -> bool {
+        match self {
+            Self::Color(_) => true,
+            Self::Colors(pattern, map) => pattern.is_known() && is_sorted(map),
+            Self::Pigments(pattern, map) => {
+                pattern.is_known() && is_sorted(map) && map.entries().iter().all(|(_, p)| p.is_held_inside())
+            }
+            Self::Average(warps, map) => {
+                warps.are_held()
+                    && map.entries().iter().all(|(weight, p)| *weight >= 0.0 && p.is_held_inside())
+            }
+            Self::Image(warps, map) => warps.are_held() && map.is_held(),
+            Self::UvMapped(_) => false,
+        }
+    }
+
+    /// What holds a number made of the colours of points that these hold.
+    pub(super) fn along(&self, point: &[Band; 3], of: Of) -> Band {
         match self {
             Self::Color(color) => Band::constant(of(color)),
             Self::Colors(pattern, map) => {
@@ -32,9 +49,70 @@ impl Pigment {
                 let room = Band::between(-most * ROUNDING, most * ROUNDING);
                 pattern.enclose(point).broken_line(&points) + room
             }
-            _ => Band::UNKNOWN,
+            Self::Pigments(pattern, map) => blended(pattern, map, point, of),
+            Self::Average(warps, map) => {
+                let inner = warps.along(*point);
+                let (mut sum, mut total) = (Band::constant(0.0), 0.0);
+                for (weight, pigment) in map.entries() {
+                    total += f64::from(*weight);
+                    sum = sum + pigment.along(&inner, of) * f64::from(*weight);
+                }
+                rounded(sum * (1.0 / total))
+            }
+            Self::Image(warps, map) => map.colors_along(&warps.along(*point), &super::pigment::CLEAR, of),
+            Self::UvMapped(pigment) => pigment.along(&[point[0], point[1], Band::constant(0.0)], of),
         }
     }
+}
+
+fn is_sorted<T>(map: &BlendMap<T>) -> bool {
+    map.entries().is_sorted_by(|a, b| a.0 <= b.0)
+}
+
+/// With room for the rounding to single precision.
+fn rounded(band: Band) -> Band {
+    Band { reach: band.reach + (band.middle.abs() + band.spread()) * ROUNDING, ..band }.loose()
+}
+
+/// A map of pigments: between two of them that the pattern tells, or what holds all that it may.
+fn blended(pattern: &Pattern, map: &BlendMap<std::sync::Arc<Pigment>>, point: &[Band; 3], of: Of) -> Band {
+    let value = pattern.enclose(point);
+    let inner = pattern.warps.along(*point);
+    let (low, high) = (value.low(), value.high());
+    let entries = map.entries();
+    let last = entries.len() - 1;
+    let mut all: Option<Band> = None;
+    let mut found = Lanes::splat(-1.0);
+    let (yes, no) = (Lanes::splat(1.0), Lanes::splat(-1.0));
+    for stretch in 0..=entries.len() {
+        // From the entry before to this one; level before the first and behind the last.
+        let from = stretch.checked_sub(1).map_or(f64::NEG_INFINITY, |i| f64::from(entries[i].0));
+        let to = entries.get(stretch).map_or(f64::INFINITY, |entry| f64::from(entry.0));
+        // What is no number takes part in all.
+        let beside = low.zip(high, |low, high| f64::from(u8::from(low > to || high < from)));
+        if beside.all_positive() {
+            continue;
+        }
+        let (before, behind) = (&entries[stretch.saturating_sub(1)].1, &entries[stretch.min(last)].1);
+        let color = if stretch == 0 || stretch > last {
+            behind.along(&inner, of)
+        } else if from == to {
+            before.along(&inner, of).hull(behind.along(&inner, of))
+        } else {
+            let share =
+                ((value - from) * (1.0 / (to - from))).max(Band::constant(0.0)).min(Band::constant(1.0));
+            let first = before.along(&inner, of);
+            first + (behind.along(&inner, of) - first) * share
+        };
+        let may = no.where_positive(beside, yes);
+        let joined = match all {
+            None => color,
+            Some(all) => all.hull(color).where_positive(found, color),
+        };
+        all = Some(joined.where_positive(may, all.unwrap_or(Band::UNKNOWN)));
+        found = yes.where_positive(may, found);
+    }
+    rounded(all.unwrap_or(Band::UNKNOWN))
 }
 
 /// A component, in the order red, green, blue, filter, transmit.
@@ -42,17 +120,11 @@ pub(super) fn component(color: &Rgbft, number: u8) -> f64 {
     color.to_array().get(usize::from(number)).copied().map_or(0.0, f64::from)
 }
 
-/// The grey of a colour, without its rounding.
-pub(super) fn greyness(color: &Rgbft) -> f64 {
-    [Rgb::X, Rgb::Y, Rgb::Z].map(|axis| f64::from(grey(axis)) * f64::from(color.rgb.dot(axis))).iter().sum()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::BlendMap;
     use super::*;
-    use crate::math::{DVec3, Lanes};
-    use crate::world::pattern::{Formula, Pattern};
+    use crate::math::DVec3;
+    use crate::world::pattern::Formula;
     use crate::world::sample::{Colors, Sample};
 
     #[test]

@@ -7,6 +7,7 @@ use super::blend_map::{BlendMap, Pick};
 use crate::math::color::grey;
 use crate::math::{Band, Rgb, Rgbft};
 use crate::world::image::ImageMap;
+use crate::world::image::along::greyness;
 use crate::world::pattern::Pattern;
 use crate::world::sample::{Colors, Field, Sample};
 use crate::world::warp::Warps;
@@ -91,8 +92,10 @@ impl Pigment {
 }
 
 /// What POV-Ray takes for a colour outside a `once` image.
+pub(super) const CLEAR: Rgbft = Rgbft { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
+
 fn or_clear(color: Option<Rgbft>) -> Rgbft {
-    color.unwrap_or(Rgbft { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 })
+    color.unwrap_or(CLEAR)
 }
 
 /// Every component by itself, the share in double precision (docs/spec/patterns-textures.md 3.2).
@@ -107,7 +110,7 @@ impl Colors for Pigment {
     }
 
     fn enclose(&self, point: &[Band; 3], component: u8) -> Band {
-        self.along(point, |color| along::component(color, component))
+        self.along(point, &|color| along::component(color, component))
     }
 
     fn is_known(&self) -> bool {
@@ -122,7 +125,7 @@ impl Field for Pigment {
     }
 
     fn enclose(&self, point: &[Band; 3]) -> Band {
-        self.along(point, along::greyness)
+        self.along(point, &greyness)
     }
 
     fn is_known(&self) -> bool {

@@ -1,7 +1,7 @@
 //! `warp { black_hole … }` (docs/spec/patterns-textures.md 5.2).
 
-use crate::math::DVec3;
 use crate::math::noise::{EPSILON, cell_point};
+use crate::math::{Band, DVec3, Lanes};
 
 /// Pulls the pattern towards a point, or pushes it away.
 #[derive(Clone, Debug)]
@@ -43,6 +43,46 @@ impl BlackHole {
         let share = (self.radius - distance) / self.radius;
         let pull = (share.powf(self.falloff) * self.strength).min(1.0);
         if self.inverse { p - d * pull } else { p + d * pull }
+    }
+
+    /// Whether points go but a little farther than their neighbours, within a block.
+    pub(super) fn is_continuous(&self) -> bool {
+        self.falloff > 0.0 && self.radius > 0.0
+    }
+
+    /// What holds the places of all points that these hold.
+    pub(super) fn along(&self, p: [Band; 3]) -> [Band; 3] {
+        let size = self.repeat.unwrap_or(DVec3::ZERO);
+        let blocks = [0, 1, 2].map(|k| {
+            let block = |c: f64| if size[k] >= EPSILON { (c / size[k]).floor() } else { 0.0 };
+            (p[k].low().map(block), p[k].high().map(block))
+        });
+        let mut centers = [Lanes::ZERO; 3];
+        for lane in 0..Lanes::COUNT {
+            let block = DVec3::from_array(blocks.map(|(low, _)| low.0[lane]));
+            let moved = match self.repeat {
+                Some(_) if self.turbulence != DVec3::ZERO => {
+                    cell_point(block.to_array().map(|b| b as i32)) * self.turbulence
+                }
+                _ => DVec3::ZERO,
+            };
+            let center = self.center + moved + size * block;
+            for (k, all) in centers.iter_mut().enumerate() {
+                all.0[lane] = center[k];
+            }
+        }
+        let d = [0, 1, 2].map(|k| p[k] - Band::numbers(centers[k]));
+        let distance = (d[0].square() + d[1].square() + d[2].square()).sqrt();
+        let zero = Band::constant(0.0);
+        let share = (-distance * (1.0 / self.radius) + 1.0).max(zero);
+        let most = Band::constant(1.0);
+        let pull = (share.powf(Band::constant(self.falloff)) * self.strength).min(most);
+        let pull = if self.inverse { -pull } else { pull };
+        // In several blocks at once: as far as the strongest of all pulls.
+        let farthest = self.radius * self.strength.abs().max(1.0);
+        let any = Band::between(-farthest, farthest);
+        let many = blocks.iter().fold(Lanes::ZERO, |many, (low, high)| many + (*high - *low).abs());
+        [0, 1, 2].map(|k| (p[k] + any).where_positive(many, p[k] + d[k] * pull))
     }
 }
 

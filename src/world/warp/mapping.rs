@@ -3,7 +3,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::math::DVec3;
+use crate::math::{Band, DVec3, Lanes};
 
 /// What the plane is wrapped around.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,6 +91,101 @@ impl Mapping {
         }
         DVec3::new(o.x * z + o.y * x + o.z * x, o.x * y - o.y * z + o.z * y, -o.x * x + o.y * y + o.z * z)
     }
+}
+
+/// What holds [`longitude`]s, as shares of the turn. Images use it too.
+pub(crate) fn turn_along(x: Band, z: Band) -> Band {
+    // Jumps where the longitude does, on the positive x axis.
+    ((-z).atan2(-x) + PI) * (1.0 / TAU)
+}
+
+/// What holds the results of [`around_tube`]. Images use it too.
+pub(crate) fn around_tube_along([x, y, z]: [Band; 3], major: f64) -> (Band, Band) {
+    let out = (x.square() + z.square()).sqrt() - major;
+    ((y.atan2(out) + PI) * (1.0 / TAU), (out.square() + y.square()).sqrt())
+}
+
+/// What holds the latitude as a share of the way between the poles. Images use it too.
+pub(crate) fn height_along([x, y, z]: [Band; 3]) -> Band {
+    let from_axis = (x.square() + z.square()).sqrt();
+    y.atan2(from_axis).max(Band::constant(-PI / 2.0)).min(Band::constant(PI / 2.0)) * (1.0 / PI) + 0.5
+}
+
+impl Mapping {
+    /// What holds the places where the pattern sees all points that these hold.
+    pub(super) fn along(&self, p: [Band; 3]) -> [Band; 3] {
+        let from_axis = (p[0].square() + p[2].square()).sqrt();
+        let around = turn_along(p[0], p[2]);
+        let (mapped, apart) = match self.projection {
+            Projection::Cylindrical => ([around * self.growth_along(from_axis), p[1], from_axis], from_axis),
+            Projection::Spherical => {
+                let distance = (p[0].square() + p[1].square() + p[2].square()).sqrt();
+                let growth = self.growth_along(distance);
+                // Below and above the middle there is no turn.
+                let around = around.where_positive(from_axis.low(), around.hull(Band::constant(0.0)));
+                ([around * growth, height_along(p) * growth, distance], distance)
+            }
+            Projection::Toroidal(major) => {
+                let (tube, distance) = around_tube_along(p, major);
+                let growth = self.growth_along(distance);
+                ([around * growth, tube * growth, distance], from_axis)
+            }
+            Projection::Planar(distance) => {
+                return self.orient_along([p[0], p[1], Band::constant(distance)]);
+            }
+        };
+        let mapped = self.orient_along(mapped);
+        // What is on the axis stays.
+        [0, 1, 2].map(|i| mapped[i].where_positive(apart.low(), mapped[i].hull(p[i])))
+    }
+
+    fn growth_along(&self, distance: Band) -> Band {
+        match self.dist_exp {
+            0.0 => Band::constant(1.0),
+            1.0 => distance,
+            exponent => distance.powf(Band::constant(exponent)),
+        }
+    }
+
+    fn orient_along(&self, [x, y, z]: [Band; 3]) -> [Band; 3] {
+        let o = self.orientation;
+        if o.x == 0.0 && o.y == 0.0 && o.z == 1.0 {
+            return [x, y, z];
+        }
+        [x * (o.y + o.z) + z * o.x, y * (o.x + o.z) - z * o.y, y * o.y + z * o.z - x * o.x]
+    }
+}
+
+/// What holds the results of [`cubic`].
+pub(super) fn cubic_along([x, y, z]: [Band; 3]) -> [Band; 3] {
+    const THIRD: f64 = 1.0 / 3.0;
+    let one = Band::constant(1.0);
+    // Between -1 and 1 wherever the face is the one that is meant.
+    let half = |a: Band, b: Band| {
+        let quotient = (a / b).where_positive(b.low(), Band::between(-1.0, 1.0)).max(-one).min(one);
+        (quotient + 1.0) * 0.5
+    };
+    let faces = [
+        (x, [-half(z, x) * 0.25 + 0.75, half(y, x) * THIRD + THIRD, x]),
+        (y, [half(x, y) * 0.25 + 0.25, -half(z, y) * THIRD + 1.0, y]),
+        (z, [half(x, z) * 0.25 + 0.25, half(y, z) * THIRD + THIRD, z]),
+        (-x, [half(z, -x) * 0.25, half(y, -x) * THIRD + THIRD, -x]),
+        (-y, [half(x, -y) * 0.25 + 0.25, half(z, -y) * THIRD, -y]),
+        (-z, [-half(x, -z) * 0.25 + 1.0, half(y, -z) * THIRD + THIRD, -z]),
+    ];
+    let most = x.abs().max(y.abs()).max(z.abs());
+    let mut found = Lanes::splat(-1.0);
+    let mut all = [Band::UNKNOWN; 3];
+    for (height, place) in faces {
+        // The lanes where this may be the face.
+        let may = (height - most).high() + f64::MIN_POSITIVE;
+        all = [0, 1, 2].map(|i| {
+            let more = all[i].hull(place[i]).where_positive(found, place[i]);
+            more.where_positive(may, all[i])
+        });
+        found = Lanes::splat(1.0).where_positive(may, found);
+    }
+    all
 }
 
 /// Which face of a cube around the origin `p` lies on: 0 +x, 1 +y, 2 +z, 3 -x, 4 -y, 5 -z.

@@ -1,6 +1,6 @@
 //! `warp { repeat … }` (docs/spec/patterns-textures.md 5.2).
 
-use crate::math::DVec3;
+use crate::math::{Band, DVec3, Lanes};
 
 /// Cuts space into slabs that look alike.
 #[derive(Clone, Debug)]
@@ -39,7 +39,64 @@ impl Repeat {
         }
         r + block * self.offset
     }
+
+    /// What holds the places in the first slab of all points that these hold.
+    pub(super) fn along(&self, p: [Band; 3]) -> [Band; 3] {
+        let slab = |c: f64| c / self.width;
+        let slabs = p[self.axis].low().zip(p[self.axis].high(), |low, high| slab(low).min(slab(high)));
+        let last = p[self.axis].low().zip(p[self.axis].high(), |low, high| slab(low).max(slab(high)));
+        // Beside a boundary the quotient's rounding may say either.
+        let (first, last) = (
+            slabs.map(|n| (n - ROOM * (1.0 + n.abs())).floor()),
+            last.map(|n| (n + ROOM * (1.0 + n.abs())).floor()),
+        );
+        let count = last - first;
+        let (at_first, at_last) = (self.in_slabs(p, first), self.in_slabs(p, last));
+        let any = self.in_any(p, first, last);
+        [0, 1, 2].map(|i| {
+            let two = at_first[i].hull(at_last[i]).where_positive(-count + 1.5, any[i]);
+            let one = at_first[i].where_positive(-count + 0.5, two);
+            // Single precision no longer counts so many.
+            let most = Lanes::splat(MOST) - first.abs() - last.abs();
+            one.where_positive(most, Band::UNKNOWN)
+        })
+    }
+
+    /// The places of points that are in these slabs.
+    fn in_slabs(&self, p: [Band; 3], slabs: Lanes) -> [Band; 3] {
+        let mut moved = p;
+        moved[self.axis] =
+            moved[self.axis] - Band::numbers(slabs.map(|slab| f64::from((slab * self.width) as f32)));
+        let odd = slabs.map(|slab| (slab % 2.0).abs());
+        [0, 1, 2].map(|i| {
+            let beyond = if i == self.axis && self.flips_axis { self.width } else { 0.0 };
+            let mirrored = moved[i] * self.flip[i] + beyond;
+            mirrored.where_positive(odd, moved[i]) + Band::numbers(slabs * self.offset[i])
+        })
+    }
+
+    /// The places of points that may be in any of many slabs.
+    fn in_any(&self, p: [Band; 3], first: Lanes, last: Lanes) -> [Band; 3] {
+        let slabs = Band::within(first, last);
+        [0, 1, 2].map(|i| {
+            let place = if i == self.axis {
+                let room = (first.abs() + last.abs() + 1.0) * (self.width.abs() * f64::from(f32::EPSILON));
+                Band::within(-room + self.width.min(0.0), room + self.width.max(0.0))
+            } else if self.flip[i] < 0.0 {
+                p[i].hull(-p[i])
+            } else {
+                p[i]
+            };
+            place + slabs * self.offset[i]
+        })
+    }
 }
+
+/// Beside a boundary the number of a slab is not sure, for this share of it.
+const ROOM: f64 = 1e-12;
+
+/// So many slabs have numbers in single precision.
+const MOST: f64 = 1e7;
 
 #[cfg(test)]
 mod tests {

@@ -1,5 +1,7 @@
 //! Solids cut by solids.
 
+use povista::math::DVec3;
+
 use crate::curve::{Beam, moved};
 use crate::double::Double;
 use crate::model::{Exact, Line, Meeting, Model, Subject, half_length};
@@ -120,24 +122,32 @@ impl Subject for Nest {
         let dot = |a: [Double; 3], b: [Double; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let zero = Double::of(0.0);
         let close = 1e2 * line.room * self.size;
-        for number in 0..self.balls.len() {
-            let off = std::array::from_fn(|i| line.origin[i] - Double::of(self.balls[number].0[i]));
+        // Only the balls that the line meets matter; doubles say what it passes, mostly.
+        let (from, along) = (line.point(zero), line.direction());
+        let mut met = Vec::new();
+        for (number, (center, radius)) in self.balls.iter().enumerate() {
+            let aside = along.cross(DVec3::from_array(*center) - from).length_squared();
+            if aside > along.length_squared() * radius * radius + 1e-3 * self.size * self.size {
+                continue;
+            }
+            let off = std::array::from_fn(|i| line.origin[i] - Double::of(center[i]));
             let (a, b) = (dot(line.direction, line.direction), dot(off, line.direction));
             let under = b * b + a * self.depth(number, &line.origin);
             out.close |= under.to_f64().abs() < close;
-            if under <= zero {
-                continue;
+            if under > zero {
+                met.push((number, [-under.sqrt(), under.sqrt()].map(|root| (root - b) / a)));
             }
-            for root in [-under.sqrt(), under.sqrt()] {
-                let t = (root - b) / a;
+        }
+        for &(number, roots) in &met {
+            for t in roots {
                 let p = beam.at(t);
                 let rough = p.map(Double::to_f64);
                 // Whether it is in what the balls before left, and in none of those after.
                 let mut inside = false;
                 let mut seen = true;
-                for other in 0..self.balls.len() {
+                for &(other, _) in &met {
                     if other == number {
-                        seen = inside != Self::adds(number);
+                        seen &= inside != Self::adds(number);
                         continue;
                     }
                     let depth = self.rough_depth(other, &p, rough);

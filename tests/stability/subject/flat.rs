@@ -1,5 +1,7 @@
 //! Planes and pieces of planes.
 
+use povista::math::DVec3;
+
 use crate::model::Model;
 use crate::real::Real;
 use crate::shoot_at;
@@ -104,6 +106,11 @@ impl Model for Triangles {
     }
     fn reach(&self) -> f64 {
         self.corners.iter().flatten().flatten().fold(0.0, |most, x| x.abs().max(most))
+    }
+    fn ball(&self, piece: usize) -> Option<(DVec3, f64)> {
+        let corners = self.corners[piece].map(DVec3::from_array);
+        let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+        Some((middle, corners.map(|corner| corner.distance(middle)).into_iter().fold(0.0, f64::max)))
     }
 }
 

@@ -1,187 +1,296 @@
-//! The crossings of a ray with a small piece of a parametric surface.
+//! The crossings of a ray with a piece of a parametric surface.
 //!
-//! Seen along the ray the piece is a crooked quadrangle, nearly bilinear. Where all of it is turned the same way it
-//! has one crossing at most, and Newton's method finds it. Where it folds over, or nearly, it is
-//! halved: towards the fold both sheets become thin, so few parts are left of it, and each sheet comes apart.
+//! A part of the piece is taken for the plane that touches it in the middle, and for what it leaves that plane by.
+//! That rules it out, narrows it, or tells that it isn't folded over seen along the ray: then it has one crossing at
+//! most, and Newton's method finds it. What is still open is halved. Close to a fold parts are turned so that they
+//! lie along the ray, where two crossings are far apart however little the ray goes below the surface.
 
+use smallvec::SmallVec;
+
+use super::local::Local;
 use super::{Crossing, Parametric};
-use crate::math::{DMat3, DVec2, DVec3};
+use crate::math::{DMat2, DVec2, DVec3};
 use crate::world::Ray;
 use crate::world::shape::triangle::{Sheared, blend};
 
 /// Steps of Newton's method before it is given up.
-const TRIES: usize = 12;
+const TRIES: usize = 20;
 
-/// By how much of its size a crossing may be beside the piece it was looked for in.
+/// By how much of its size a crossing may be beside the part it was looked for in: the neighbour finds it too.
 const BESIDE: f64 = 1e-6;
 
-/// Times a piece is halved along both parameters, at most.
-const HALVINGS: u32 = 28;
+/// Newton's method has got somewhere when its steps are this small a share of the part.
+const NEAR: f64 = 0.05;
+
+/// Times a piece is halved or narrowed, at most.
+const HALVINGS: u32 = 80;
+
+/// After so many halvings a part is turned, and again and again.
+const TURNED_EVERY: u32 = 4;
 
 /// Parts that are looked at in all: poles have many.
-const PARTS: usize = 400;
+const PARTS: usize = 2000;
 
-/// How evenly a part is turned towards the ray that is taken to have no fold: the least over the greatest of what
-/// its quarters show, in whose middles the change is half of that between its sides.
+/// By how much the slopes of a part may change, as a share of themselves, that is taken to have no fold.
 const EVEN: f64 = 0.5;
+
+/// What is known of a part along four lines through its middle, times this holds for all of it.
+const SAFETY: f64 = 2.0;
+
+/// A part is narrowed where this share of it is left, or less.
+const NARROW: f64 = 0.6;
 
 /// A surface and a ray.
 pub(super) struct Piece<'a> {
     surface: &'a Parametric,
-    ray: &'a Ray,
-    sheared: Sheared,
+    /// The ray from where it is nearest to the surface's middle, so that few digits are lost.
+    ray: Ray,
+    shift: f64,
+    /// Two unit vectors across the ray.
+    across: [DVec3; 2],
+    /// What the rounding of the ray's own numbers may move it by.
+    rounding: f64,
 }
 
-/// A rectangle of parameters with the points at its corners by u and v, and how far it may be from bilinear.
+/// A parallelogram of parameters: the middle, and from there to the middles of two sides.
 #[derive(Clone, Copy)]
-struct Part {
-    from: DVec2,
-    to: DVec2,
-    corners: [[DVec3; 2]; 2],
-    bent: DVec3,
-    depth: u32,
+pub(super) struct Part {
+    pub(super) middle: DVec2,
+    pub(super) sides: [DVec2; 2],
+    pub(super) depth: u32,
 }
 
 impl Part {
-    /// How much it is turned towards the ray, at each corner.
-    fn turns(&self, direction: DVec3) -> [f64; 4] {
-        let [[near, up], [right, far]] = self.corners;
-        let turn = |along: DVec3, across: DVec3| along.cross(across).dot(direction);
-        [
-            turn(right - near, up - near),
-            turn(right - near, far - right),
-            turn(far - up, up - near),
-            turn(far - up, far - right),
-        ]
+    /// A place given by shares of the sides.
+    pub(super) fn at(&self, shares: DVec2) -> DVec2 {
+        self.middle + self.sides[0] * shares.x + self.sides[1] * shares.y
     }
 
-    /// Whether a ray may meet it: seen along the ray, all of it may be on one side.
-    fn may_meet(&self, ray: &Ray) -> bool {
-        let [[near, up], [right, far]] = self.corners;
-        // Across the piece first, where it is thin if it is seen from the side.
-        let normal = (far - near).cross(up - right);
-        let across = normal - ray.direction * (normal.dot(ray.direction) / ray.direction.length_squared());
-        let along = ray.direction.cross(across);
-        [across, along].into_iter().all(|axis| {
-            let room = self.bent.dot(axis.abs()) * 2.0;
-            let offsets = [near, up, right, far].map(|corner| (corner - ray.origin).dot(axis));
-            let (low, high) = offsets.iter().fold((f64::MAX, f64::MIN), |(a, b), t| (a.min(*t), b.max(*t)));
-            // What is no number rules nothing out.
-            !(low > room || high < -room)
-        })
+    /// What is between these shares of the sides.
+    fn between(&self, low: DVec2, high: DVec2) -> Self {
+        let half = 0.5 * (high - low);
+        let sides = [self.sides[0] * half.x, self.sides[1] * half.y];
+        Self { middle: self.at(0.5 * (low + high)), sides, depth: self.depth + 1 }
+    }
+
+    fn halves(&self, across: usize) -> [Self; 2] {
+        let (mut low, mut high) = (DVec2::ONE, DVec2::NEG_ONE);
+        (low[across], high[across]) = (0.0, 0.0);
+        [self.between(DVec2::NEG_ONE, low), self.between(high, DVec2::ONE)]
+    }
+
+    /// One around it with a side that runs this way, given by shares of the sides; it itself where that is none.
+    fn turned(&self, way: DVec2) -> Self {
+        let Some(way) = way.try_normalize() else { return *self };
+        let longer = way.abs().element_sum();
+        let [u, v] = [way, way.perp()].map(|side| self.at(side * longer) - self.middle);
+        Self { sides: [u, v], ..*self }
     }
 }
 
-/// Whether the quarters of a part are turned towards the ray alike.
-fn are_even(quarters: &[Part; 4], direction: DVec3) -> bool {
-    let turns = quarters.iter().flat_map(|part| part.turns(direction));
-    let (least, most) = turns.fold((f64::MAX, f64::MIN), |(a, b), t| (a.min(t), b.max(t)));
-    if least > 0.0 { least >= EVEN * most } else { most < 0.0 && most <= EVEN * least }
+/// What a part has of a ray.
+enum Found {
+    /// One crossing at most: where the plane has it, by shares of the sides.
+    One(DVec2),
+    /// No crossing.
+    None,
+    /// Crossings only between these shares of the sides.
+    Between(DVec2, DVec2),
+    /// It has to be halved across this side.
+    Open(usize),
+}
+
+/// The rectangle of parameters that crossings are looked for in, and those found.
+struct Catch {
+    from: DVec2,
+    to: DVec2,
+    /// With what they may be off by.
+    found: SmallVec<[(DVec2, DVec2); 4]>,
 }
 
 impl<'a> Piece<'a> {
-    pub(super) fn new(surface: &'a Parametric, ray: &'a Ray) -> Self {
-        Self { surface, ray, sheared: Sheared::new(ray) }
+    pub(super) fn new(surface: &'a Parametric, ray: &Ray) -> Self {
+        let middle = surface.bounds.center();
+        let shift = (middle - ray.origin).dot(ray.direction) / ray.direction.length_squared();
+        let (u, v) = ray.direction.normalize().any_orthonormal_pair();
+        let rounding = 2.0 * f64::EPSILON * ray.origin.abs().max_element();
+        let near = Ray::new(ray.at(shift), ray.direction);
+        Self { surface, ray: near, shift, across: [u, v], rounding }
     }
 
-    /// Calls back with the crossings in a rectangle of parameters whose corners are known.
-    pub(super) fn meet(
-        &self,
-        from: DVec2,
-        to: DVec2,
-        corners: [[DVec3; 2]; 2],
-        found: &mut dyn FnMut(Crossing),
-    ) {
-        let mut waiting = vec![Part { from, to, corners, bent: DVec3::INFINITY, depth: 0 }];
+    /// Calls back with the crossings in a rectangle of parameters.
+    pub(super) fn meet(&self, from: DVec2, to: DVec2, found: &mut dyn FnMut(Crossing)) {
+        let half = 0.5 * (to - from);
+        let sides = [half * DVec2::X, half * DVec2::Y];
+        let mut waiting: SmallVec<[Part; 16]> = SmallVec::new();
+        waiting.push(Part { middle: 0.5 * (from + to), sides, depth: 0 });
+        let mut catch = Catch { from, to, found: SmallVec::new() };
         let mut parts = 0;
         while let Some(part) = waiting.pop() {
-            parts += 1;
-            if part.depth > 0 && !part.may_meet(self.ray) {
+            if catch.is_beside(&part) {
                 continue;
             }
-            let quarters = self.quarters(&part);
-            if are_even(&quarters, self.ray.direction)
-                && let Some(hit) = self.refine(&part)
-            {
-                hit.into_iter().for_each(&mut *found);
-            } else if part.depth < HALVINGS && parts < PARTS {
-                waiting.extend(quarters);
+            parts += 1;
+            let mut local = self.surface.local(&part);
+            let mut look = self.look(&local);
+            if matches!(look, Found::Open(_)) {
+                local = self.surface.closer(&part, local);
+                look = self.look(&local);
+            }
+            let across = match look {
+                Found::None => continue,
+                Found::Between(low, high) if part.depth < HALVINGS => {
+                    waiting.push(part.between(low, high));
+                    continue;
+                }
+                Found::One(start) => match self.refine(&part, start, &mut catch) {
+                    Some(hit) => {
+                        hit.into_iter().for_each(&mut *found);
+                        continue;
+                    }
+                    None => usize::from(part.sides[0].length_squared() < part.sides[1].length_squared()),
+                },
+                Found::Open(across) => across,
+                Found::Between(..) => 0,
+            };
+            if part.depth >= HALVINGS || parts >= PARTS {
+                self.flat(&part, &catch).into_iter().for_each(&mut *found);
+            } else if part.depth % TURNED_EVERY == TURNED_EVERY - 1 {
+                let way = local.way(self.ray.direction);
+                waiting.push(Part { depth: part.depth + 1, ..part.turned(way) });
             } else {
-                self.flat(&part).into_iter().for_each(&mut *found);
+                waiting.extend(part.halves(across));
             }
         }
     }
 
-    fn quarters(&self, part: &Part) -> [Part; 4] {
-        let Part { from, to, corners: [[near, up], [right, far]], .. } = *part;
-        let middle = 0.5 * (from + to);
-        let point = |u: f64, v: f64| self.surface.point(DVec2::new(u, v));
-        let (left, bottom) = (point(from.x, middle.y), point(middle.x, from.y));
-        let (east, top) = (point(to.x, middle.y), point(middle.x, to.y));
-        let center = point(middle.x, middle.y);
-        // What a half of it bends is about a quarter.
-        let off = |p: DVec3, a: DVec3, b: DVec3| (p - a.midpoint(b)).abs();
-        let bends = [off(left, near, up), off(bottom, near, right), off(east, right, far), off(top, up, far)];
-        let bent = bends.into_iter().fold(off(center, left, east).max(off(center, bottom, top)), DVec3::max);
-        let depth = part.depth + 1;
-        let part = |from: DVec2, to: DVec2, corners: [[DVec3; 2]; 2]| Part { from, to, corners, bent, depth };
-        [
-            part(from, middle, [[near, left], [bottom, center]]),
-            part(DVec2::new(from.x, middle.y), DVec2::new(middle.x, to.y), [[left, up], [center, top]]),
-            part(DVec2::new(middle.x, from.y), DVec2::new(to.x, middle.y), [[bottom, center], [right, east]]),
-            part(middle, to, [[center, top], [east, far]]),
-        ]
+    fn project(&self, v: DVec3) -> DVec2 {
+        DVec2::from_array(self.across.map(|axis| axis.dot(v)))
+    }
+
+    /// At least what a vector, whose coordinates are at most these, has across the ray.
+    fn room(&self, v: DVec3) -> DVec2 {
+        DVec2::from_array(self.across.map(|axis| axis.abs().dot(v)))
+    }
+
+    fn look(&self, local: &Local) -> Found {
+        let [u, v, mixed] = local.bends.map(|bend| SAFETY * self.room(bend));
+        let off = self.project(local.point - self.ray.origin);
+        let slopes = local.slopes.map(|slope| self.project(slope));
+        let room = u + v + mixed + self.rounding;
+        let inverse = DMat2::from_cols(slopes[0], slopes[1]).inverse();
+        let size = DMat2::from_cols(inverse.x_axis.abs(), inverse.y_axis.abs());
+        let start = -(inverse * off);
+        let mut low = DVec2::NEG_ONE;
+        let mut high = DVec2::ONE;
+        // What is no number rules nothing out.
+        let mut meet = |side: usize, middle: f64, beside: f64| {
+            low[side] = low[side].max(middle - beside - BESIDE);
+            high[side] = high[side].min(middle + beside + BESIDE);
+        };
+        let beside = size * room;
+        meet(0, start.x, beside.x);
+        meet(1, start.y, beside.y);
+        for side in [0, 1] {
+            // Seen along one side, whatever the other does.
+            let (along, other) = (slopes[side], slopes[1 - side]);
+            let square = along.length_squared();
+            let beside = along.dot(other).abs() + along.abs().dot(room);
+            meet(side, -along.dot(off) / square, beside / square);
+        }
+        if low.cmpgt(high).any() || off.abs().cmpgt(slopes[0].abs() + slopes[1].abs() + room).any() {
+            return Found::None;
+        }
+        // How the slopes change along either side.
+        let by = [DMat2::from_cols(2.0 * u, mixed), DMat2::from_cols(mixed, 2.0 * v)].map(|by| size * by);
+        let norm = |m: DMat2| (m.x_axis + m.y_axis).max_element();
+        if norm(by[0] + by[1]) < EVEN {
+            return Found::One(start);
+        }
+        if (high - low).min_element() < 2.0 * NARROW {
+            return Found::Between(low, high);
+        }
+        let [by_u, by_v] = by.map(norm);
+        Found::Open(usize::from(by_u.is_nan() || by_v.is_nan() || by_u < by_v))
     }
 
     /// The crossing in a part that has one at most; `None` where Newton's method leads nowhere.
-    fn refine(&self, part: &Part) -> Option<Option<Crossing>> {
-        let (size, ray) = (part.to - part.from, self.ray);
-        let mut at = 0.5 * (part.from + part.to);
-        let [[a, b], [c, d]] = part.corners;
-        let mut t = (0.25 * (a + b + c + d) - ray.origin).dot(ray.direction) / ray.direction.length_squared();
-        let (start, reach) = (at, 8.0 * size);
+    fn refine(&self, part: &Part, start: DVec2, catch: &mut Catch) -> Option<Option<Crossing>> {
+        let shares = DMat2::from_cols(part.sides[0], part.sides[1]).inverse();
+        let mut at = part.at(start.clamp(DVec2::NEG_ONE, DVec2::ONE));
+        let mut inverse = DMat2::ZERO;
         let mut last = f64::INFINITY;
         for _ in 0..TRIES {
-            let [along_u, along_v] = self.surface.slopes(at);
-            let matrix = DMat3::from_cols(along_u, along_v, -ray.direction);
-            let step = matrix.inverse() * (ray.at(t) - self.surface.point(at));
-            if !step.is_finite() {
+            if last > BESIDE {
+                let [u, v] = self.surface.slopes(at).map(|slope| self.project(slope));
+                inverse = DMat2::from_cols(u, v).inverse();
+            }
+            let by = inverse * self.project(self.ray.origin - self.surface.point(at));
+            let length = (shares * by).abs().max_element();
+            if length.is_nan() || length > 4.0 {
                 return None;
             }
-            (at, t) = (at + step.truncate(), t + step.z);
-            let length = (step.truncate() / size).length();
+            at += by;
             // Rounding alone moves it any more.
-            if length < BESIDE && length >= 0.5 * last || length == 0.0 {
-                last = length;
+            let ends = length < NEAR && length >= 0.5 * last || length == 0.0;
+            last = length;
+            if ends {
                 break;
             }
-            if (at - start).abs().cmpgt(reach).any() {
-                return None;
+            if (shares * (at - part.middle)).abs().max_element() > 4.0 {
+                return Some(None);
             }
-            last = length;
         }
-        if last >= BESIDE {
+        if last >= NEAR {
             return None;
         }
-        let room = BESIDE * size;
-        let within = at.cmpge(part.from - room).all() && at.cmple(part.to + room).all();
-        let all = &self.surface.description;
-        let at = at.clamp(all.from, all.to).to_array();
-        Some(within.then_some(Crossing { t, part: 0, at }))
+        let beside = BESIDE + 2.0 * last;
+        let within = (shares * (at - part.middle)).abs().max_element() <= 1.0 + beside;
+        let off = beside * (part.sides[0].abs() + part.sides[1].abs());
+        Some((within && catch.take(at, off, self.surface)).then(|| {
+            let at = at.clamp(self.surface.description.from, self.surface.description.to);
+            let way = self.surface.point(at) - self.ray.origin;
+            let t = self.shift + way.dot(self.ray.direction) / self.ray.direction.length_squared();
+            Crossing { t, part: 0, at: at.to_array() }
+        }))
     }
 
     /// The crossing with a part that is as small as it gets, or beside a kink or a pole.
-    fn flat(&self, part: &Part) -> Option<Crossing> {
-        let [[near, up], [right, far]] = part.corners;
-        let size = part.to - part.from;
-        let (along_u, along_v) = (size * DVec2::X, size * DVec2::Y);
-        let triangles = [
-            ([near, right, up], [part.from, part.from + along_u, part.from + along_v]),
-            ([far, up, right], [part.to, part.to - along_u, part.to - along_v]),
-        ];
-        triangles.into_iter().find_map(|(corners, parameters)| {
-            let hit = self.sheared.meet(corners)?;
-            Some(Crossing { t: hit.t, part: 0, at: blend(parameters, hit.at).to_array() })
+    fn flat(&self, part: &Part, catch: &Catch) -> Option<Crossing> {
+        let corner = |u: f64, v: f64| {
+            let at = part.at(DVec2::new(u, v)).clamp(catch.from, catch.to);
+            (at, self.surface.point(at))
+        };
+        let [near, up, right, far] =
+            [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)];
+        let sheared = Sheared::new(&self.ray);
+        [[near, right, up], [far, up, right]].into_iter().find_map(|corners| {
+            let hit = sheared.meet(corners.map(|corner| corner.1))?;
+            let at = blend(corners.map(|corner| corner.0), hit.at);
+            Some(Crossing { t: self.shift + hit.t, part: 0, at: at.to_array() })
         })
+    }
+}
+
+impl Catch {
+    /// Whether no place of a part is in the rectangle.
+    fn is_beside(&self, part: &Part) -> bool {
+        let half = part.sides[0].abs() + part.sides[1].abs();
+        let room = half + BESIDE * (self.to - self.from);
+        part.middle.cmplt(self.from - room).any() || part.middle.cmpgt(self.to + room).any()
+    }
+
+    /// Whether a crossing is in the rectangle, and a new one.
+    fn take(&mut self, at: DVec2, off: DVec2, surface: &Parametric) -> bool {
+        let room = BESIDE * (self.to - self.from);
+        let all = &surface.description;
+        let ends = f64::EPSILON * (all.from.abs() + all.to.abs());
+        let there = at.cmpge((self.from - room).max(all.from - ends)).all()
+            && at.cmple((self.to + room).min(all.to + ends)).all();
+        let new = self.found.iter().all(|(other, beside)| (*other - at).abs().cmpgt(*beside + off).any());
+        if there && new {
+            self.found.push((at, off));
+        }
+        there && new
     }
 }

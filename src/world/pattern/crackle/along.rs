@@ -1,0 +1,137 @@
+//! Crackles along lines: bounds of their values.
+
+use super::{ADJACENT, Crackle, Metric, NEIGHBOURS, SEEDS, Seeds, seed};
+use crate::math::noise::{EPSILON, noise};
+use crate::math::{Band, DVec3, Lanes};
+
+/// A value along a stretch: in the middle, by how much it rises to the end, and what it may be off.
+type Strip = [f64; 3];
+
+/// All values are between 0 and 1.
+const ANY: Strip = [0.5, 0.0, 0.5];
+
+/// The longest stretch, to either side of its middle, of which something is said.
+const LONGEST: f64 = 0.5;
+
+/// Coordinates up to here.
+const FAR: f64 = 1e8;
+
+/// Many times what a distance is rounded by, as a share.
+const ROUNDING: f64 = 1e-13;
+
+/// A stretch with all that is beside it.
+#[derive(Clone, Copy)]
+struct Stretch {
+    middle: DVec3,
+    along: DVec3,
+    reach: DVec3,
+    /// No point is farther from the middle, by the metric.
+    spread: f64,
+}
+
+impl Crackle {
+    /// Whether [`Self::along`] says something: distances have to obey the inequality of triangles.
+    pub(in crate::world::pattern) fn is_held(&self) -> bool {
+        let metric = match self.metric {
+            Metric::Power(m) => m >= 1.0,
+            _ => true,
+        };
+        metric && self.metric.offset(self.offset) >= 0.0
+    }
+
+    /// What holds the values at all points that these hold.
+    pub(in crate::world::pattern) fn along(&self, p: &[Band; 3]) -> Band {
+        let strips: [Strip; Lanes::COUNT] = std::array::from_fn(|lane| {
+            let of =
+                |value: fn(&Band) -> Lanes| DVec3::from_array(p.each_ref().map(|band| value(band).0[lane]));
+            let (middle, along, reach) = (of(|b| b.middle), of(|b| b.slope), of(|b| b.reach));
+            self.strip(middle, along, reach)
+        });
+        let lanes = |part: usize| Lanes(strips.map(|strip| strip[part]));
+        let band = Band { middle: lanes(0), slope: lanes(1), reach: lanes(2) };
+        band.loose().max(Band::constant(0.0)).min(Band::constant(1.0))
+    }
+
+    fn strip(&self, middle: DVec3, along: DVec3, reach: DVec3) -> Strip {
+        let half = along.abs() + reach;
+        // What is no number is not short either.
+        if !(half.max_element() <= LONGEST && middle.abs().max_element() < FAR) {
+            return ANY;
+        }
+        let rounding = ROUNDING * (1.0 + middle.abs().max_element());
+        let spread = self.metric.distance(self.metric.sum(half)) * (1.0 + ROUNDING) + rounding;
+        let stretch = Stretch { middle, along, reach, spread };
+        let room = half + 2.0 * EPSILON;
+        let (low, high) = ((middle - room - EPSILON).floor(), (middle + room).floor());
+        let steps = |i: usize| (low[i] as i32)..=(high[i] as i32);
+        let cells = steps(0).flat_map(|x| steps(1).flat_map(move |y| steps(2).map(move |z| [x, y, z])));
+        cells.map(|cell| self.in_cell(cell, stretch)).reduce(hull).unwrap_or(ANY)
+    }
+
+    /// The same, as the seeds around one cell have it.
+    fn in_cell(&self, cell: [i32; 3], stretch: Stretch) -> Strip {
+        let Stretch { middle, spread, .. } = stretch;
+        let mut near: Vec<(f64, DVec3)> = Vec::with_capacity(NEIGHBOURS.len());
+        let distance = |seed: DVec3| (self.metric.distance(self.metric.sum(middle - seed)), seed);
+        SEEDS.with_borrow_mut(|seeds| {
+            if seeds.cell != cell {
+                *seeds = Seeds::of(cell);
+            }
+            near.extend(seeds.places.map(distance));
+        });
+        near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if near[2].0 + 2.0 * spread >= 1.0 {
+            near.extend(NEIGHBOURS[ADJACENT..].iter().map(|&offset| distance(seed(cell, offset))));
+            near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        }
+        if let Some(generator) = self.solid {
+            let first = near.iter().take_while(|(d, _)| *d <= near[0].0 + 2.0 * spread);
+            let values = first.map(|(_, seed)| noise(generator, *seed));
+            return values.map(|v| [v, 0.0, 0.0]).reduce(hull).unwrap_or(ANY);
+        }
+        let mut sum = [0.0; 3];
+        for (k, weight) in self.form.to_array().into_iter().enumerate() {
+            let apart = |a: usize, b: usize| near[b].0 - near[a].0 > 2.0 * spread;
+            let alone = (k == 0 || apart(k - 1, k)) && apart(k, k + 1);
+            let strip = self.distance_along(near[k], stretch, alone);
+            sum = [sum[0] + weight * strip[0], sum[1] + weight * strip[1], sum[2] + weight.abs() * strip[2]];
+        }
+        sum
+    }
+
+    /// The distance to a seed, or if others may take its place, what is as far.
+    fn distance_along(&self, (distance, seed): (f64, DVec3), stretch: Stretch, alone: bool) -> Strip {
+        let Stretch { middle, along, reach, spread } = stretch;
+        let offset = self.metric.offset(self.offset);
+        let with_offset = |d: f64| match self.metric {
+            Metric::Absolute => d + offset,
+            _ if offset == 0.0 => d,
+            Metric::Square => (d * d + offset).sqrt(),
+            Metric::Whole(m) => self.metric.distance(d.powi(m) + offset),
+            Metric::Power(m) => self.metric.distance(d.powf(m) + offset),
+        };
+        let [nearest, here, farthest] =
+            [(distance - spread).max(0.0), distance, distance + spread].map(with_offset);
+        if alone && self.metric == Metric::Square && nearest > 0.0 {
+            // No second derivative is above one over the distance.
+            let bend = spread * spread / (2.0 * nearest) + reach.length() + ROUNDING * (1.0 + farthest);
+            return [here, (middle - seed).dot(along) / here, bend];
+        }
+        let half = (farthest - here).max(here - nearest);
+        [here, 0.0, half + ROUNDING * (1.0 + farthest)]
+    }
+}
+
+/// What holds both.
+fn hull(a: Strip, b: Strip) -> Strip {
+    let bounds = |[middle, slope, reach]: Strip| {
+        let spread = slope.abs() + reach;
+        [middle - spread, middle + spread]
+    };
+    if a == b {
+        return a;
+    }
+    let ([a, b], [c, d]) = (bounds(a), bounds(b));
+    let (low, high) = (a.min(c), b.max(d));
+    [0.5 * (low + high), 0.0, 0.5 * (high - low)]
+}

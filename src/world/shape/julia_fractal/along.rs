@@ -1,0 +1,186 @@
+//! The orbits of all points of short stretches of a line: bounds of how far they escape.
+
+use super::hypercomplex::Function;
+use super::{Map, Orbit};
+use crate::math::{Band, Lanes};
+
+/// A complex number.
+type Complex = [Band; 2];
+
+const ONE: Band = Band::constant(1.0);
+
+/// What is known of an orbit is of no use when it is spread this wide.
+const WIDE: f64 = 1e3;
+
+impl Orbit {
+    /// What holds [`Orbit::excess`] at all points that these hold.
+    #[inline(always)]
+    pub(super) fn along(&self, [x, y, z]: &[Band; 3]) -> Band {
+        let w = *x * self.slice.x + *y * self.slice.y + *z * self.slice.z + self.slice.w;
+        match self.map {
+            Map::Square | Map::Cube => self.quaternions([*x, *y, *z, w]),
+            _ => self.pairs([[*x - w, *y + *z], [*x + w, *y - *z]]),
+        }
+    }
+
+    #[inline(always)]
+    fn quaternions(&self, mut q: [Band; 4]) -> Band {
+        let c = self.constant.to_array();
+        let mut most = Most::new(self.escape());
+        for turn in 0..self.iterations {
+            let squares = q.map(Band::square);
+            let imaginary = squares[1] + squares[2] + squares[3];
+            if most.meets(squares[0] + imaginary) || turn + 1 == self.iterations {
+                break;
+            }
+            // The imaginary part of the power is a multiple of that of the number.
+            let (real, share) = match self.map {
+                Map::Square => (squares[0] - imaginary, q[0] * 2.0),
+                _ => (q[0] * (squares[0] - imaginary * 3.0), squares[0] * 3.0 - imaginary),
+            };
+            q = [real + c[0], q[1] * share + c[1], q[2] * share + c[2], q[3] * share + c[3]];
+        }
+        most.excess
+    }
+
+    /// Both complex numbers that a hypercomplex one is made of.
+    #[inline(always)]
+    fn pairs(&self, mut pair: [Complex; 2]) -> Band {
+        let [x, y, z, w] = self.constant.to_array();
+        let constants = [[x - w, y + z], [x + w, y - z]];
+        let mut most = Most::new(self.escape());
+        for turn in 0..self.iterations {
+            let [a, b] = pair.map(|[x, y]| x.square() + y.square());
+            if most.meets((a + b) * 0.5) || turn + 1 == self.iterations {
+                break;
+            }
+            for (number, c) in pair.iter_mut().zip(constants) {
+                let [x, y] = match self.map {
+                    Map::Hypercomplex(function) => function.along(*number),
+                    _ => square(*number),
+                };
+                *number = [x + c[0], y + c[1]];
+            }
+        }
+        most.excess
+    }
+}
+
+/// The greatest excess of an orbit so far.
+struct Most {
+    escape: f64,
+    excess: Band,
+}
+
+impl Most {
+    fn new(escape: f64) -> Self {
+        Self { escape, excess: Band::constant(-escape) }
+    }
+
+    /// Takes the square of a distance; whether all have escaped for good.
+    #[inline(always)]
+    fn meets(&mut self, square: Band) -> bool {
+        let excess = square - self.escape;
+        let most = self.excess.max(excess).min(ONE);
+        // Where numbers are spread wide or have become none at all: anything from the excess so far up to 1.
+        let (low, one) = (self.excess.low(), Lanes::splat(1.0));
+        let least = low.zip(Lanes::splat(-self.escape), f64::max).zip(one, f64::min);
+        let any = Band::within(least, one);
+        let useful = most.where_positive(-excess.spread() + WIDE, any);
+        // What has escaped for good stays so.
+        let gone = self.excess.low() - 1.0 + f64::EPSILON * 16.0;
+        self.excess = ONE.where_positive(gone, useful);
+        (self.excess.low() - 1.0 + f64::EPSILON * 16.0).all_positive()
+    }
+}
+
+fn times([a, b]: Complex, [c, d]: Complex) -> Complex {
+    [a * c - b * d, a * d + b * c]
+}
+
+fn square([x, y]: Complex) -> Complex {
+    [x.square() - y.square(), x * y * 2.0]
+}
+
+fn reciprocal([x, y]: Complex) -> Complex {
+    let size = (x.square() + y.square()).inverse();
+    [x * size, -(y * size)]
+}
+
+fn exp([x, y]: Complex) -> Complex {
+    let (sin, cos) = y.sin_cos();
+    let size = x.exp();
+    [size * cos, size * sin]
+}
+
+fn ln([x, y]: Complex) -> Complex {
+    [(x.square() + y.square()).ln() * 0.5, y.atan2(x)]
+}
+
+fn root([x, y]: Complex) -> Complex {
+    let size = (x.square() + y.square()).sqrt().sqrt();
+    let (sin, cos) = (y.atan2(x) * 0.5).sin_cos();
+    [size * cos, size * sin]
+}
+
+fn by_i([x, y]: Complex) -> Complex {
+    [-y, x]
+}
+
+fn plus([x, y]: Complex, real: f64) -> Complex {
+    [x + real, y]
+}
+
+fn minus([x, y]: Complex) -> Complex {
+    [-x, -y]
+}
+
+impl Function {
+    /// What holds the function's values for a complex number.
+    fn along(self, z: Complex) -> Complex {
+        let sum = |[a, b]: Complex, [c, d]: Complex| [a + c, b + d];
+        let half = |[a, b]: Complex| [a * 0.5, b * 0.5];
+        let [x, y] = z;
+        match self {
+            Self::Exp => exp(z),
+            Self::Ln => ln(z),
+            Self::Sin => {
+                let (sin, cos) = x.sin_cos();
+                [sin * y.cosh(), cos * y.sinh()]
+            }
+            Self::Cos => {
+                let (sin, cos) = x.sin_cos();
+                [cos * y.cosh(), -(sin * y.sinh())]
+            }
+            Self::Sinh => {
+                let (sin, cos) = y.sin_cos();
+                [x.sinh() * cos, x.cosh() * sin]
+            }
+            Self::Cosh => {
+                let (sin, cos) = y.sin_cos();
+                [x.cosh() * cos, x.sinh() * sin]
+            }
+            Self::Tan => {
+                let ((sin, cos), y) = ((x * 2.0).sin_cos(), y * 2.0);
+                let size = (cos + y.cosh()).inverse();
+                [sin * size, y.sinh() * size]
+            }
+            Self::Tanh => {
+                let ((sin, cos), x) = ((y * 2.0).sin_cos(), x * 2.0);
+                let size = (cos + x.cosh()).inverse();
+                [x.sinh() * size, sin * size]
+            }
+            Self::Asin => minus(by_i(ln(sum(by_i(z), root(plus(minus(square(z)), 1.0)))))),
+            Self::Acos => minus(by_i(ln(sum(z, root(plus(square(z), -1.0)))))),
+            Self::Asinh => ln(sum(z, root(plus(square(z), 1.0)))),
+            Self::Acosh => ln(sum(z, root(plus(square(z), -1.0)))),
+            Self::Atan => {
+                let share = times(plus(minus(by_i(z)), 1.0), reciprocal(plus(by_i(z), 1.0)));
+                half(by_i(ln(share)))
+            }
+            Self::Atanh => half(ln(times(plus(z, 1.0), reciprocal(plus(minus(z), 1.0))))),
+            Self::Reciprocal => reciprocal(z),
+            Self::Power(power) => exp(times([Band::constant(power.x), Band::constant(power.y)], ln(z))),
+        }
+    }
+}
