@@ -221,12 +221,13 @@ fn fractal(julia: &scene::JuliaFractal) -> Option<JuliaFractal> {
     };
     let (normal, distance) = julia.slice;
     let normal = normal.try_normalize().filter(|normal| normal.w != 0.0)?;
-    Some(JuliaFractal::new(Orbit {
+    let orbit = Orbit {
         constant: julia.parameter,
         map,
         iterations: julia.max_iteration.max(1),
         slice: (-normal.truncate()).extend(distance) / normal.w,
-    }))
+    };
+    Some(JuliaFractal::new(orbit, 1.0 / julia.precision.max(1.0)))
 }
 
 fn triangles(mesh: &Arc<scene::Mesh>) -> Compiled {

@@ -63,8 +63,14 @@ fn isolate<S: Scalar>(
         let width = part.high - part.low;
         let split = part.low + width * S::of(SHARE);
         let at = |x: S| f(Interval::point(x)).value;
-        let mean = at(split) + jet.slope * (part - Interval::point(split));
+        let here = at(split);
+        let mean = here + jet.slope * (part - Interval::point(split));
         if !mean.has_zero() {
+            continue;
+        }
+        // Most of the doubt is rounding, which no splitting takes away.
+        if here.has_zero() && mean.high - mean.low <= (here.high - here.low) * S::of(2.0) {
+            found(Cell::Doubt(part));
             continue;
         }
         if !jet.slope.has_zero() {

@@ -4,8 +4,8 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
-use crate::povray;
 use crate::shoot::Score;
+use crate::{FEWER, RAYS, povray};
 
 /// Several tests may renew their rows at once.
 static FILE: Mutex<()> = Mutex::new(());
@@ -35,6 +35,16 @@ fn row(name: &str, place: &str, score: &Score) -> String {
     row
 }
 
+/// How many rays the table was made with.
+fn notes() -> String {
+    if povray::rays().is_some() {
+        return String::new();
+    }
+    let fewer = FEWER.iter().map(|(name, rays, why)| format!("# {name}: {rays}, {why}.\n"));
+    let all = format!("# {RAYS} rays to each of 5 sizes and 3 places, but for those named here.\n");
+    std::iter::once(all).chain(fewer).collect()
+}
+
 /// The numbers of a row that must not grow: false, missed, ulps, degrees.
 fn bars(row: &str) -> [f64; 4] {
     let words: Vec<&str> = row.split_whitespace().collect();
@@ -52,11 +62,12 @@ pub(crate) fn judge(name: &str, sized: &Score, placed: &Score) {
     let table = std::fs::read_to_string(path()).unwrap_or_default();
     let of = |row: &str| row.split_whitespace().take(2).collect::<Vec<_>>().join(" ");
     if renew {
-        let mut kept: Vec<&str> =
-            table.lines().skip(1).filter(|old| !rows.iter().any(|r| of(r) == of(old))).collect();
+        let is_kept = |old: &&str| !old.starts_with('#') && !rows.iter().any(|row| of(row) == of(old));
+        let mut kept: Vec<&str> = table.lines().skip(1).filter(is_kept).collect();
         kept.extend(rows.iter().map(String::as_str));
         kept.sort_by_key(|row| (row.split_whitespace().next().map(str::to_owned), row.contains("places")));
-        std::fs::write(path(), format!("{HEAD}{}\n", kept.join("\n"))).expect("the table can be written");
+        std::fs::write(path(), format!("{HEAD}{}\n{}", kept.join("\n"), notes()))
+            .expect("the table can be written");
         return;
     }
     for row in &rows {

@@ -184,9 +184,9 @@ impl ImageMap {
             return bounds;
         }
         let between = self.between(x, y, &cells, of);
-        // Whichever says more.
-        let narrower = (bounds.spread() - between.spread()).zip(single, f64::min);
-        between.where_positive(narrower, bounds)
+        // Whichever says more; what is no number says nothing.
+        let narrower = bounds.spread().zip(between.spread(), |a, b| f64::from(u8::from(b < a)));
+        between.where_positive(narrower.zip(single, f64::min), bounds)
     }
 
     /// The colours between the pixels around, where each lane is within one square of them.

@@ -1,5 +1,7 @@
 //! `isosurface` (docs/spec/primitives.md 5.2).
 
+#[cfg(test)]
+mod holes;
 mod search;
 
 use std::cell::Cell;

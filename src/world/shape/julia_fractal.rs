@@ -1,7 +1,9 @@
 //! `julia_fractal` (docs/spec/primitives.md 5.3).
 
 mod along;
+mod clear;
 pub mod hypercomplex;
+mod march;
 
 use std::sync::Arc;
 
@@ -9,7 +11,7 @@ use super::isosurface::{Container, Isosurface, Steepest};
 use super::sphere::Sphere;
 use super::{Crossing, Shape};
 use crate::math::wide::widest;
-use crate::math::{Band, Bounds, DVec3, DVec4};
+use crate::math::{Band, Bounds, DVec3, DVec4, Lanes};
 use crate::world::sample::{Field, Sample};
 use crate::world::{Range, Ray};
 use hypercomplex::Function;
@@ -17,12 +19,15 @@ use hypercomplex::Function;
 /// The points of a slice through four dimensions that never leave a ball while a function with a
 /// constant added is applied to them again and again.
 ///
-/// That is where a function of the point isn't above zero: [`Orbit::excess`]. It is found as any such surface, by
-/// bands, so that no step is too long. (POV-Ray marches, and passes by what is thinner than its steps.)
+/// That is where a function of the point isn't above zero: [`Orbit::excess`]. Where a high precision is asked for, it
+/// is found as any such surface, by bands, so that no step is too long. Else it is marched towards as in POV-Ray.
 #[derive(Clone, Debug)]
 pub struct JuliaFractal {
     orbit: Orbit,
     surface: Isosurface,
+    ball: Sphere,
+    /// The shortest step of the march.
+    step: f64,
 }
 
 /// What makes a [`JuliaFractal`].
@@ -58,6 +63,18 @@ pub enum Map {
 /// The length of a stretch that isn't divided any more, where bands leave it open whether the surface is met twice or
 /// not at all. The ball's radius is about 2 whatever the size of the object.
 const FINE: f64 = 1e-6;
+
+/// As steep as the excess is taken to be where a ray may start on the surface.
+const STEEP: f64 = 1e4;
+
+/// Half the stretch that the slope of the excess is taken over.
+const STEP: f64 = 1e-9;
+
+/// A point whose excess is this small is on the surface, but for rounding.
+const ON_SURFACE: f64 = 1e-9;
+
+/// A march with steps as short as this, a `precision` of 200, would be slower than to be exact.
+const EXACT: f64 = 1.0 / 200.0;
 
 /// How far behind its start a ray that has just left a surface begins to look: this one is rough, and as for POV-Ray's
 /// shadow rays there is none at once.
@@ -122,6 +139,17 @@ impl Orbit {
         most
     }
 
+    /// The gradient of the excess: bands of short stretches have its slopes.
+    fn slope(&self, p: DVec3) -> DVec3 {
+        let at = [0, 1, 2].map(|axis| {
+            let mut along = Lanes::ZERO;
+            along.0[axis] = STEP;
+            Band::line(Lanes::splat(p[axis]), along)
+        });
+        let [x, y, z, _] = self.along(&at).slope.0;
+        DVec3::new(x, y, z)
+    }
+
     /// The gradient of the orbit's squared distance after so many iterations.
     fn gradient(&self, p: DVec3, iterations: u32) -> DVec3 {
         let mut q = self.start(p);
@@ -181,26 +209,36 @@ impl Field for Orbit {
 }
 
 impl JuliaFractal {
-    /// The fractal of these orbits.
-    pub fn new(orbit: Orbit) -> Self {
+    /// The fractal of these orbits, with the shortest step of the march towards it; positive.
+    pub fn new(orbit: Orbit, step: f64) -> Self {
+        let ball = Sphere { center: DVec3::ZERO, radius: orbit.radius() };
         let surface = Isosurface {
             function: Arc::new(orbit),
             threshold: 0.0,
-            container: Container::Sphere(Sphere { center: DVec3::ZERO, radius: orbit.radius() }),
+            container: Container::Sphere(ball),
             accuracy: FINE,
-            max_gradient: 1.0,
+            max_gradient: STEEP,
             adaptive: None,
             most: usize::MAX,
             open: false,
             steepest: Steepest::default(),
         };
-        Self { orbit, surface }
+        Self { orbit, surface, ball, step }
     }
 
-    /// Where to begin to look along a ray: those that leave a surface start at 0.
-    fn begin(ray: &Ray, range: Range) -> Range {
-        let skipped = if range.min == 0.0 { AT_ONCE / ray.direction.length() } else { range.min };
-        Range { min: skipped, ..range }
+    /// Whether nothing may be missed.
+    fn is_exact(&self) -> bool {
+        self.step <= EXACT && !matches!(self.orbit.map, Map::Hypercomplex(_))
+    }
+
+    /// What of a range is looked at along a ray: those that leave the surface start at 0.
+    fn looked_at(&self, ray: &Ray, range: Range) -> Option<Range> {
+        let stretch = self.ball.stretch(ray).filter(|s| s.enter.t.is_finite())?;
+        let leaves = range.min == 0.0 && self.orbit.excess(ray.origin).abs() < ON_SURFACE;
+        let min = if leaves { AT_ONCE / ray.direction.length() } else { range.min };
+        let ball = Range { min: stretch.enter.t, max: stretch.leave.t };
+        let min = self.orbit.skipped(ray, Range { min, ..range }, ball);
+        (min < ball.max).then_some(Range { min, ..range })
     }
 }
 
@@ -210,19 +248,51 @@ impl Shape for JuliaFractal {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        self.surface.crossings(ray, Self::begin(ray, range), out);
+        if !self.is_exact() {
+            self.walk(ray, range.min, |t| {
+                if range.contains(t) {
+                    out.push(Crossing::new(t, 0));
+                }
+                t < range.max
+            });
+        } else if let Some(range) = self.looked_at(ray, range) {
+            self.surface.crossings(ray, range, out);
+        }
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        self.surface.nearest(ray, Self::begin(ray, range))
+        if self.is_exact() {
+            return self.surface.nearest(ray, self.looked_at(ray, range)?);
+        }
+        let mut nearest = None;
+        self.walk(ray, range.min, |t| {
+            nearest = range.contains(t).then(|| Crossing::new(t, 0));
+            nearest.is_none() && t < range.max
+        });
+        nearest
     }
 
     fn inside(&self, point: DVec3) -> bool {
-        self.orbit.excess(point) <= 0.0
+        if self.is_exact() { self.orbit.excess(point) <= 0.0 } else { self.follow(point, DVec3::ZERO).inside }
     }
 
+    /// Of the next point of the orbit, as in POV-Ray, but for functions, of which it has wrong ones.
     fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
         self.orbit.gradient(point, self.orbit.iterations).normalize_or(DVec3::X)
+    }
+
+    fn geometric_normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        if !self.is_exact() {
+            return self.normal(point, crossing);
+        }
+        let slope = if crossing.part == 0 { self.orbit.slope(point) } else { point };
+        slope
+            .try_normalize()
+            .unwrap_or_else(|| self.orbit.gradient(point, self.orbit.iterations).normalize_or(DVec3::X))
+    }
+
+    fn interpolates(&self) -> bool {
+        self.is_exact()
     }
 }
 
@@ -230,26 +300,21 @@ impl Shape for JuliaFractal {
 mod tests {
     use super::super::battery::{Probe, battery, table};
     use super::*;
-    use crate::math::{DVec2, Lanes};
+    use crate::math::DVec2;
 
-    fn make(constant: [f64; 4], map: Map, iterations: u32) -> JuliaFractal {
-        JuliaFractal::new(Orbit { constant: DVec4::from(constant), map, iterations, slice: DVec4::ZERO })
+    fn make(constant: [f64; 4], map: Map, iterations: u32, precision: f64) -> JuliaFractal {
+        let orbit = Orbit { constant: DVec4::from(constant), map, iterations, slice: DVec4::ZERO };
+        JuliaFractal::new(orbit, 1.0 / precision)
     }
 
-    /// POV-Ray's square, and a function.
     fn quaternion() -> JuliaFractal {
-        make([-0.083, 0.0, -0.83, -0.025], Map::Square, 4)
-    }
-
-    fn sine() -> JuliaFractal {
-        make([-0.162, 0.163, 0.56, -0.599], Map::Hypercomplex(Function::Sin), 3)
+        make([-0.083, 0.0, -0.83, -0.025], Map::Square, 4, 500.0)
     }
 
     battery! {
         square: || quaternion();
-        cube: || make([-0.162, 0.163, 0.56, -0.599], Map::Cube, 3);
-        hypercomplex: || make([-0.162, 0.163, 0.56, -0.599], Map::HypercomplexSquare { cube: false }, 4);
-        function: || sine();
+        cube: || make([-0.162, 0.163, 0.56, -0.599], Map::Cube, 3, 500.0);
+        hypercomplex: || make([-0.162, 0.163, 0.56, -0.599], Map::HypercomplexSquare { cube: false }, 4, 500.0);
     }
 
     /// POV-Ray bisects to 1e-7: points agree to that, normals a little less.
@@ -262,7 +327,7 @@ mod tests {
 
     #[test]
     fn quaternions_agree_with_povray() {
-        let square = make([-0.083, 0.0, -0.83, -0.025], Map::Square, 8);
+        let square = make([-0.083, 0.0, -0.83, -0.025], Map::Square, 8, 15.0);
         let ahead = [0.0, 0.0, 1.0];
         let from = [0.1, 0.2, -5.0];
         near(
@@ -286,7 +351,7 @@ mod tests {
             inside <0.9,0,0> | 0
             extent | <-1.834514379501343, -1.834514379501343, -1.834514379501343> .. <1.834514379501343, 1.834514379501343, 1.834514379501343>",
         );
-        let cube = make([-0.162, 0.163, 0.56, -0.599], Map::Cube, 6);
+        let cube = make([-0.162, 0.163, 0.56, -0.599], Map::Cube, 6, 30.0);
         near(
             &cube,
             from,
@@ -296,7 +361,7 @@ mod tests {
         );
         let normal = DVec4::new(0.3, 0.2, 0.1, 0.9).normalize();
         let slice = (-normal.truncate()).extend(0.1) / normal.w;
-        let sliced = JuliaFractal::new(Orbit { slice, ..square.orbit });
+        let sliced = JuliaFractal::new(Orbit { slice, ..square.orbit }, square.step);
         near(
             &sliced,
             from,
@@ -308,7 +373,7 @@ mod tests {
 
     #[test]
     fn rays_that_leave_the_surface_outward_are_seldom_stopped_at_once() {
-        let fractal = make([-0.083, 0.0, -0.83, -0.025], Map::Square, 6);
+        let fractal = make([-0.083, 0.0, -0.83, -0.025], Map::Square, 6, 20.0);
         let (mut left, mut stopped) = (0, 0);
         for number in 0..1000_u32 {
             let at =
@@ -325,7 +390,7 @@ mod tests {
 
     #[test]
     fn hypercomplex_numbers_agree_with_povray() {
-        let of = |map| make([-0.162, 0.163, 0.56, -0.599], map, 6);
+        let of = |map| make([-0.162, 0.163, 0.56, -0.599], map, 6, 30.0);
         let (from, direction) = ([0.1, 0.2, -7.0], [0.01, 0.02, 1.0]);
         let square = of(Map::HypercomplexSquare { cube: false });
         near(
@@ -351,7 +416,7 @@ mod tests {
     /// POV-Ray looks for these on a wrong point and takes wrong normals.
     #[test]
     fn functions_have_the_normals_of_their_surface() {
-        let fractal = sine();
+        let fractal = make([-0.162, 0.163, 0.56, -0.599], Map::Hypercomplex(Function::Sin), 3, 30.0);
         let hit = Probe::new([0.1, 0.2, -7.0].into(), [0.01, 0.02, 1.0].into()).hit(&fractal).unwrap();
         let beyond = |p: DVec3| {
             let mut q = fractal.orbit.start(p);
@@ -367,28 +432,8 @@ mod tests {
 
     #[test]
     fn bands_hold_how_far_orbits_escape() {
-        use Function::*;
-        let functions = [
-            Exp,
-            Ln,
-            Sin,
-            Asin,
-            Sinh,
-            Asinh,
-            Cos,
-            Acos,
-            Cosh,
-            Acosh,
-            Tan,
-            Atan,
-            Tanh,
-            Atanh,
-            Reciprocal,
-            Power(DVec2::new(3.0, 0.5)),
-        ];
-        let squares = [Map::Square, Map::Cube, Map::HypercomplexSquare { cube: false }];
-        for map in functions.map(Map::Hypercomplex).into_iter().chain(squares) {
-            let orbit = make([-0.162, 0.163, 0.56, -0.599], map, 5).orbit;
+        for map in [Map::Square, Map::Cube, Map::HypercomplexSquare { cube: false }] {
+            let orbit = make([-0.162, 0.163, 0.56, -0.599], map, 5, 500.0).orbit;
             let slice = DVec4::new(0.2, -0.3, 0.1, 0.05);
             let mut narrow = 0;
             for orbit in [orbit, Orbit { slice, ..orbit }] {

@@ -4,6 +4,7 @@ mod csg;
 mod flat;
 mod function;
 mod grid;
+mod julia;
 mod polynomial;
 mod round;
 mod soft;

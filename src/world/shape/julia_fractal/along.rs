@@ -1,6 +1,5 @@
-//! The orbits of all points of short stretches of a line: bounds of how far they escape.
+//! The orbits of all points of short stretches of a line: bounds of how far they escape, of squares and cubes.
 
-use super::hypercomplex::Function;
 use super::{Map, Orbit};
 use crate::math::{Band, Lanes};
 
@@ -55,10 +54,7 @@ impl Orbit {
                 break;
             }
             for (number, c) in pair.iter_mut().zip(constants) {
-                let [x, y] = match self.map {
-                    Map::Hypercomplex(function) => function.along(*number),
-                    _ => square(*number),
-                };
+                let [x, y] = square(*number);
                 *number = [x + c[0], y + c[1]];
             }
         }
@@ -94,93 +90,6 @@ impl Most {
     }
 }
 
-fn times([a, b]: Complex, [c, d]: Complex) -> Complex {
-    [a * c - b * d, a * d + b * c]
-}
-
 fn square([x, y]: Complex) -> Complex {
     [x.square() - y.square(), x * y * 2.0]
-}
-
-fn reciprocal([x, y]: Complex) -> Complex {
-    let size = (x.square() + y.square()).inverse();
-    [x * size, -(y * size)]
-}
-
-fn exp([x, y]: Complex) -> Complex {
-    let (sin, cos) = y.sin_cos();
-    let size = x.exp();
-    [size * cos, size * sin]
-}
-
-fn ln([x, y]: Complex) -> Complex {
-    [(x.square() + y.square()).ln() * 0.5, y.atan2(x)]
-}
-
-fn root([x, y]: Complex) -> Complex {
-    let size = (x.square() + y.square()).sqrt().sqrt();
-    let (sin, cos) = (y.atan2(x) * 0.5).sin_cos();
-    [size * cos, size * sin]
-}
-
-fn by_i([x, y]: Complex) -> Complex {
-    [-y, x]
-}
-
-fn plus([x, y]: Complex, real: f64) -> Complex {
-    [x + real, y]
-}
-
-fn minus([x, y]: Complex) -> Complex {
-    [-x, -y]
-}
-
-impl Function {
-    /// What holds the function's values for a complex number.
-    fn along(self, z: Complex) -> Complex {
-        let sum = |[a, b]: Complex, [c, d]: Complex| [a + c, b + d];
-        let half = |[a, b]: Complex| [a * 0.5, b * 0.5];
-        let [x, y] = z;
-        match self {
-            Self::Exp => exp(z),
-            Self::Ln => ln(z),
-            Self::Sin => {
-                let (sin, cos) = x.sin_cos();
-                [sin * y.cosh(), cos * y.sinh()]
-            }
-            Self::Cos => {
-                let (sin, cos) = x.sin_cos();
-                [cos * y.cosh(), -(sin * y.sinh())]
-            }
-            Self::Sinh => {
-                let (sin, cos) = y.sin_cos();
-                [x.sinh() * cos, x.cosh() * sin]
-            }
-            Self::Cosh => {
-                let (sin, cos) = y.sin_cos();
-                [x.cosh() * cos, x.sinh() * sin]
-            }
-            Self::Tan => {
-                let ((sin, cos), y) = ((x * 2.0).sin_cos(), y * 2.0);
-                let size = (cos + y.cosh()).inverse();
-                [sin * size, y.sinh() * size]
-            }
-            Self::Tanh => {
-                let ((sin, cos), x) = ((y * 2.0).sin_cos(), x * 2.0);
-                let size = (cos + x.cosh()).inverse();
-                [x.sinh() * size, sin * size]
-            }
-            Self::Asin => minus(by_i(ln(sum(by_i(z), root(plus(minus(square(z)), 1.0)))))),
-            Self::Acos => minus(by_i(ln(sum(z, root(plus(square(z), -1.0)))))),
-            Self::Asinh => ln(sum(z, root(plus(square(z), 1.0)))),
-            Self::Acosh => ln(sum(z, root(plus(square(z), -1.0)))),
-            Self::Atan => {
-                let share = times(plus(minus(by_i(z)), 1.0), reciprocal(plus(by_i(z), 1.0)));
-                half(by_i(ln(share)))
-            }
-            Self::Atanh => half(ln(times(plus(z, 1.0), reciprocal(plus(minus(z), 1.0))))),
-            Self::Reciprocal => reciprocal(z),
-            Self::Power(power) => exp(times([Band::constant(power.x), Band::constant(power.y)], ln(z))),
-        }
-    }
 }
