@@ -32,11 +32,7 @@ struct Stretch {
 impl Crackle {
     /// Whether [`Self::along`] says something: distances have to obey the inequality of triangles.
     pub(in crate::world::pattern) fn is_held(&self) -> bool {
-        let metric = match self.metric {
-            Metric::Power(m) => m >= 1.0,
-            _ => true,
-        };
-        metric && self.metric.offset(self.offset) >= 0.0
+        self.metric.exponent() >= 1.0 && self.metric.offset(self.offset) >= 0.0
     }
 
     /// What holds the values at all points that these hold.
@@ -74,10 +70,12 @@ impl Crackle {
         let mut near: Vec<(f64, DVec3)> = Vec::with_capacity(NEIGHBOURS.len());
         let distance = |seed: DVec3| (self.metric.distance(self.metric.sum(middle - seed)), seed);
         SEEDS.with_borrow_mut(|seeds| {
-            if seeds.cell != cell {
-                *seeds = Seeds::of(cell);
-            }
-            near.extend(seeds.places.map(distance));
+            let seeds = match seeds {
+                Some(seeds) if seeds.cell == cell => seeds,
+                _ => seeds.insert(Seeds::of(cell)),
+            };
+            let places = (0..ADJACENT).map(|i| DVec3::new(seeds.x[i], seeds.y[i], seeds.z[i]));
+            near.extend(places.map(distance));
         });
         near.sort_by(|a, b| a.0.total_cmp(&b.0));
         if near[2].0 + 2.0 * spread >= 1.0 {
@@ -107,8 +105,9 @@ impl Crackle {
             Metric::Absolute => d + offset,
             _ if offset == 0.0 => d,
             Metric::Square => (d * d + offset).sqrt(),
-            Metric::Whole(m) => self.metric.distance(d.powi(m) + offset),
-            Metric::Power(m) => self.metric.distance(d.powf(m) + offset),
+            Metric::Halves(_) | Metric::Power(_) => {
+                self.metric.distance(d.powf(self.metric.exponent()) + offset)
+            }
         };
         let [nearest, here, farthest] =
             [(distance - spread).max(0.0), distance, distance + spread].map(with_offset);
