@@ -40,7 +40,7 @@ fn notes() -> String {
     if povray::rays().is_some() {
         return String::new();
     }
-    let fewer = FEWER.iter().map(|(name, rays, why)| format!("# {name}: {rays}, {why}.\n"));
+    let fewer = FEWER.iter().map(|(rays, names, why)| format!("# {rays} to {}: {why}.\n", names.join(", ")));
     let all = format!("# {RAYS} rays to each of 5 sizes and 3 places, but for those named here.\n");
     std::iter::once(all).chain(fewer).collect()
 }
