@@ -20,26 +20,28 @@ pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
     };
     let wide = white > 255;
     let count = room(size, channels * if wide { 2 } else { 1 })? * channels;
-    let words: Box<dyn Iterator<Item = Result<u16, Fault>>> = if text {
-        Box::new((0..count).map(|_| Ok(u16::try_from(number(&mut file)?)?)))
+    let mut words: Vec<u16> = Vec::with_capacity(count);
+    if text {
+        for _ in 0..count {
+            words.push(u16::try_from(number(&mut file)?)?);
+        }
     } else {
         // One blank ends the header.
         file.byte()?;
         let stored = file.take(if wide { 2 * count } else { count })?;
-        let step = if wide { 2 } else { 1 };
-        Box::new(stored.chunks_exact(step).map(|s| Ok(s.iter().fold(0, |n, &b| n << 8 | u16::from(b)))))
-    };
-    let words = words.map(|word| match word {
-        Ok(word) if word > white => Err(format!("{word} is more than its brightest, {white}").into()),
-        word => word,
-    });
-    let raw = if wide {
-        Raw::Words { channels, data: words.collect::<Result<_, _>>()? }
-    } else {
-        Raw::Bytes {
-            channels,
-            data: words.map(|word| word.map(|word| word as u8)).collect::<Result<_, _>>()?,
+        if wide {
+            words.extend(stored.chunks_exact(2).map(|s| u16::from_be_bytes([s[0], s[1]])));
+        } else {
+            words.extend(stored.iter().copied().map(u16::from));
         }
+    }
+    if let Some(word) = words.iter().find(|word| **word > white) {
+        return Err(format!("{word} is more than its brightest, {white}").into());
+    }
+    let raw = if wide {
+        Raw::Words { channels, data: words }
+    } else {
+        Raw::Bytes { channels, data: words.into_iter().map(|word| word as u8).collect() }
     };
     let full = if wide { u16::MAX } else { 255 };
     let white = (white != full).then_some(white);

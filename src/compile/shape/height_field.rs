@@ -23,12 +23,26 @@ pub fn height_field(
     images: &mut TextureCompiler,
 ) -> Result<Compiled, Unsupported> {
     let image = images.image(&field.image, Use::Number)?;
+    let mut heights = Vec::with_capacity(image.width * image.height);
+    let plain = plain_words(&image);
     // The image's top row is the farthest.
-    let rows = (0..image.height).rev();
-    let heights = rows.flat_map(|y| (0..image.width).map(move |x| (x, y)));
-    let heights = heights.map(|(x, y)| sample(&image, x, y)).collect();
+    for y in (0..image.height).rev() {
+        match plain {
+            Some(words) => heights.extend_from_slice(&words[y * image.width..][..image.width]),
+            None => heights.extend((0..image.width).map(|x| sample(&image, x, y))),
+        }
+    }
     let size = [image.width, image.height];
     Ok(Compiled::rare(HeightField::new(size, heights, field.water_level, field.smooth)))
+}
+
+/// The heights themselves, where 16 bits of grey are stored without a curve.
+fn plain_words(image: &Image) -> Option<&[u16]> {
+    let Pixels::Words { channels: 1, data, curve } = &image.pixels else {
+        return None;
+    };
+    let as_stored = |(v, light): (usize, &f32)| *light == v as f32 / WHITE as f32;
+    curve.iter().enumerate().all(as_stored).then_some(data)
 }
 
 /// The height of a pixel. Curves count only where the scene names one or white is not the brightest

@@ -41,7 +41,7 @@ pub(super) struct Item {
 }
 
 impl Item {
-    fn bounds(&self) -> Bounds {
+    pub(super) fn bounds(&self) -> Bounds {
         Bounds { min: self.low.as_dvec3(), max: self.high.as_dvec3() }
     }
 

@@ -89,22 +89,81 @@ impl Bvh {
             whole = whole.union(bounds);
             count += 1;
         }
-        let scale = 2.0 / whole.size().max_element();
-        let mut bvh = Self {
-            nodes: Vec::new(),
-            whole,
-            center: if count == 0 { DVec3::ZERO } else { whole.center() },
-            scale: if scale.is_finite() { scale } else { 1.0 },
-            blur: 0.0,
-        };
-        // A point is no farther from the origin than from the middle and the middle from there.
-        bvh.blur = ((1.0 + NEAR + 2.0 * bvh.center.abs().max_element() * bvh.scale) * BLUR) as f32;
+        let mut bvh = Self::empty(whole);
         let mut own = Vec::with_capacity(count);
         own.extend(items.map(|(bounds, number)| bvh.item(bounds, number)));
         if !own.is_empty() {
             bvh.nodes = build::tree(&mut own, longest.min(LONGEST_RUN), &node);
         }
         (bvh, own.into_iter().map(|item| item.number).collect())
+    }
+
+    /// Over a grid of bounded items, numbered row by row, of which so many are in a row. Neighbours stay
+    /// together without a search for the best places to cut.
+    pub fn over_grid(boxes: &[Bounds], width: usize) -> Self {
+        let mut bvh = Self::empty(boxes.iter().fold(Bounds::EMPTY, |all, bounds| all.union(*bounds)));
+        let depth = boxes.len().checked_div(width).unwrap_or(0);
+        if depth > 0 {
+            bvh.grow(boxes, width, [0..width, 0..depth]);
+        }
+        bvh
+    }
+
+    /// Appends the node over a part of a grid; answers its box and number.
+    fn grow(&mut self, boxes: &[Bounds], width: usize, part: [Span<usize>; 2]) -> (Bounds, build::Child) {
+        let mut parts = SmallVec::<[[Span<usize>; 2]; WIDTH]>::new();
+        parts.push(part);
+        while parts.len() < WIDTH {
+            let count = |[columns, rows]: &[Span<usize>; 2]| columns.len() * rows.len();
+            let largest = (0..parts.len()).max_by_key(|&i| count(&parts[i]));
+            let Some(largest) = largest.filter(|&i| count(&parts[i]) > 1) else {
+                break;
+            };
+            let [columns, rows] = parts.swap_remove(largest);
+            let middle = |span: &Span<usize>| span.start + span.len() / 2;
+            if columns.len() >= rows.len() {
+                let middle = middle(&columns);
+                parts.push([columns.start..middle, rows.clone()]);
+                parts.push([middle..columns.end, rows]);
+            } else {
+                let middle = middle(&rows);
+                parts.push([columns.clone(), rows.start..middle]);
+                parts.push([columns, middle..rows.end]);
+            }
+        }
+        let number = self.nodes.len();
+        // Its place is taken before its children's.
+        self.nodes.push(Node::EMPTY);
+        let mut around = Bounds::EMPTY;
+        let mut children = SmallVec::<[(Bounds, build::Child); WIDTH]>::new();
+        for [columns, rows] in parts {
+            let child = if columns.len() * rows.len() == 1 {
+                let item = rows.start * width + columns.start;
+                let bounds = self.item(boxes[item], item as u32).bounds();
+                (bounds, build::Child::Run { first: item as u32, length: 1 })
+            } else {
+                self.grow(boxes, width, [columns, rows])
+            };
+            around = around.union(child.0);
+            children.push(child);
+        }
+        self.nodes[number] = node(&children);
+        (around, build::Child::Node(number as u32))
+    }
+
+    /// Without items, but with room for them in a box.
+    fn empty(whole: Bounds) -> Self {
+        let scale = 2.0 / whole.size().max_element();
+        let mut bvh = Self {
+            nodes: Vec::new(),
+            whole,
+            center: if whole.is_empty() { DVec3::ZERO } else { whole.center() },
+            scale: if scale.is_finite() { scale } else { 1.0 },
+            blur: 0.0,
+        };
+        // A point is no farther from the origin than from the middle and the middle from there.
+        bvh.blur = ((1.0 + NEAR + 2.0 * bvh.center.abs().max_element() * bvh.scale) * BLUR) as f32;
+        bvh
     }
 
     /// An item with its box in the space of the boxes, rounded outward.

@@ -70,6 +70,30 @@ impl Parts {
         }))
     }
 
+    /// The nearest crossing of a leaf of which `bounded_by` may keep rays, but nothing cuts a part.
+    pub(super) fn nearest_of_bounded(
+        &self,
+        number: u32,
+        ray: &Ray,
+        range: Range,
+        kind: RayKind,
+    ) -> Option<Found> {
+        let (leaf, member) = (self.leaf(number), Member::Leaf(number));
+        let slabs = Slabs::new(ray);
+        let extent = self.extent(member);
+        let (enter, leave) = slabs.overlap_in(&extent.bounds, range)?;
+        if leaf.hidden.intersects(kind) || !self.admits(member, ray) {
+            return None;
+        }
+        let room = 4.0 * COARSE / ray.direction.length();
+        let mut way = Way { ray, slabs: &slabs, range, kind, room, parent: None };
+        if !extent.beyond {
+            way = way.narrowed(enter, leave);
+        }
+        let crossing = leaf.primitive.nearest(&leaf.asked(ray), way.range)?;
+        Some(Found { crossing, leaf: number, near: 0 })
+    }
+
     /// Adds a member and everything of it that is near the ray. Answers how to tell its inside.
     fn gather(&self, member: Member, way: Way, scratch: &mut Scratch) -> Inside {
         match member {

@@ -112,6 +112,11 @@ impl Parts {
 
     /// The same, however close faces are.
     fn nearest_of_any(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
+        if let Member::Leaf(number) = member
+            && self.limits(member).is_none_or(|limits| limits.clips.is_empty())
+        {
+            return self.nearest_of_bounded(number, ray, range, kind);
+        }
         self.with_crossings(member, ray, range, kind, |scratch| {
             let (found, tree) = (&scratch.found, Tree::new(self, ray, scratch));
             let first = (0..found.len()).find(|&i| range.contains(found[i].t()) && tree.survives(i))?;

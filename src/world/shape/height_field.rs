@@ -1,7 +1,5 @@
 //! `height_field` (docs/spec/primitives.md 5.4).
 
-use smallvec::SmallVec;
-
 use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape};
 use crate::math::wide::widest;
@@ -19,6 +17,8 @@ pub struct HeightField {
     size: [usize; 2],
     /// Row by row, z upward.
     heights: Vec<u16>,
+    /// Where the samples are along x and z.
+    places: [Vec<f64>; 2],
     /// Everything below is cut away.
     water: f64,
     smooth: bool,
@@ -29,14 +29,20 @@ pub struct HeightField {
     blocks: usize,
 }
 
+/// A ray in cells along x and z and steps of height.
+struct Way {
+    /// Where it starts.
+    x: f64,
+    y: f64,
+    z: f64,
+    /// How it goes along z, and along x and y for each cell of that.
+    along_z: f64,
+    slope: f64,
+    climb: f64,
+}
+
 /// Cells along each side of a block.
 const BLOCK: usize = 4;
-
-/// Triangles that are tested at once.
-const MOST: usize = 16;
-
-/// Cells that a ray is over in a block, if it isn't a very slanted one.
-const FEW: usize = 2 * BLOCK;
 
 /// How far above and below a cell's box, in samples' steps, a ray is still taken to go through it.
 const UNSURE: f64 = 1e-6;
@@ -58,16 +64,19 @@ impl HeightField {
         if width < 2 || depth < 2 || width.checked_mul(depth) != Some(heights.len()) {
             return None;
         }
-        let blocks = [width, depth].map(|samples| (samples - 1).div_ceil(BLOCK));
-        let bvh = Bvh::new(Vec::new());
+        let blocks = size.map(|samples| (samples - 1).div_ceil(BLOCK));
+        let places = size.map(|samples| {
+            let last = (samples - 1) as f64;
+            (0..samples).map(|sample| sample as f64 / last).collect()
+        });
+        let bvh = Bvh::over_grid(&[], 0);
         let bounds = Bounds::EMPTY;
-        let field = Self { size, heights, water, smooth, bounds, bvh, blocks: blocks[0] };
-        let blocks = 0..(blocks[0] * blocks[1]) as u32;
-        let boxes: Vec<_> = blocks.map(|block| (field.block(block as usize), block)).collect();
-        let mut bounds = boxes.iter().fold(Bounds::EMPTY, |all, (b, _)| all.union(*b));
+        let field = Self { size, heights, places, water, smooth, bounds, bvh, blocks: blocks[0] };
+        let boxes: Vec<_> = (0..blocks[0] * blocks[1]).map(|block| field.block(block)).collect();
+        let mut bounds = boxes.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
         bounds.min.y = bounds.min.y.max(water);
         let bounds = if bounds.is_empty() { Bounds::EMPTY } else { bounds };
-        Some(Self { bvh: Bvh::new(boxes), bounds, ..field })
+        Some(Self { bvh: Bvh::over_grid(&boxes, blocks[0]), bounds, ..field })
     }
 
     fn height(&self, x: usize, z: usize) -> f64 {
@@ -75,9 +84,9 @@ impl HeightField {
     }
 
     /// The point of the surface at a sample.
+    #[inline(always)]
     fn corner(&self, x: usize, z: usize) -> DVec3 {
-        let [width, depth] = self.size;
-        DVec3::new(x as f64 / (width - 1) as f64, self.height(x, z) / FULL, z as f64 / (depth - 1) as f64)
+        DVec3::new(self.places[0][x], self.height(x, z) / FULL, self.places[1][z])
     }
 
     /// The cells of a block along x and z.
@@ -88,19 +97,28 @@ impl HeightField {
 
     fn block(&self, block: usize) -> Bounds {
         let [xs, zs] = self.cells(block);
-        let corners = (zs.start..=zs.end).flat_map(|z| (xs.start..=xs.end).map(move |x| (x, z)));
-        Bounds::of(corners.map(|(x, z)| self.corner(x, z)))
+        let (mut least, mut most) = (u16::MAX, 0);
+        for z in zs.start..zs.end + 1 {
+            let row = &self.heights[z * self.size[0]..][xs.start..xs.end + 1];
+            // A whole block's row is of a length that is known.
+            let ends = match <&[u16; BLOCK + 1]>::try_from(row) {
+                Ok(row) => extremes(row),
+                Err(_) => extremes(row),
+            };
+            (least, most) = (least.min(ends.0), most.max(ends.1));
+        }
+        let [along_x, along_z] = &self.places;
+        Bounds {
+            min: DVec3::new(along_x[xs.start], f64::from(least) / FULL, along_z[zs.start]),
+            max: DVec3::new(along_x[xs.end], f64::from(most) / FULL, along_z[zs.end]),
+        }
     }
 
-    /// Adds the cells of a block whose boxes a ray goes through, or nearly.
+    /// Calls back with the cells of a block whose boxes a ray goes through, or nearly.
     #[inline(always)]
-    fn cells_along(&self, ray: &Ray, block: u32, cells: &mut SmallVec<[(usize, usize); FEW]>) {
+    fn cells_along(&self, way: &Way, block: u32, mut found: impl FnMut(usize, usize)) {
         let [xs, zs] = self.cells(block as usize);
-        let scale = self.size.map(|samples| (samples - 1) as f64);
-        let (x, y, z) = (ray.origin.x * scale[0], ray.origin.y * FULL, ray.origin.z * scale[1]);
-        let (along_x, along_z) = (ray.direction.x * scale[0], ray.direction.z * scale[1]);
-        let slope = if along_x == 0.0 { 0.0 } else { along_x / along_z };
-        let climb = ray.direction.y * FULL / along_z;
+        let Way { x, y, z, along_z, slope, climb } = *way;
         let [room, share] = BESIDE;
         for row in zs {
             let (near, far) = (row as f64 - z, row as f64 + 1.0 - z);
@@ -123,13 +141,14 @@ impl HeightField {
             let room = UNSURE + share * (y.abs() + way * climb.abs());
             let (least, most) = (heights[0].min(heights[1]) - room, heights[0].max(heights[1]) + room);
             let width = self.size[0];
-            let (below, above) =
-                (&self.heights[row * width..][..width], &self.heights[(row + 1) * width..][..width]);
+            let below = &self.heights[row * width..][from..=to];
+            let above = &self.heights[(row + 1) * width..][from..=to];
             for column in from..to {
-                let [a, b, c, d] = [below[column], below[column + 1], above[column], above[column + 1]];
+                let i = column - from;
+                let [a, b, c, d] = [below[i], below[i + 1], above[i], above[i + 1]];
                 let (bottom, top) = (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)));
                 if !(f64::from(bottom) > most || f64::from(top) < least) {
-                    cells.push((column, row));
+                    found(column, row);
                 }
             }
         }
@@ -149,45 +168,52 @@ impl HeightField {
             #[inline(always)]
             || {
                 let sheared = Sheared::new(ray);
+                let way = self.way(ray);
                 let mut max = range.max;
                 self.bvh.along(
                     ray,
                     range,
                     #[inline(always)]
                     |block| {
-                        let mut cells = SmallVec::new();
-                        self.cells_along(ray, block, &mut cells);
-                        for cells in cells.chunks(MOST / 2) {
-                            // Two triangles of each cell, as in `triangle`.
-                            let mut parts = [0; MOST];
-                            let mut triangles = [[DVec3::ZERO; 3]; MOST];
-                            for (place, &(x, z)) in cells.iter().enumerate() {
-                                let (right, far) = (self.corner(x + 1, z), self.corner(x, z + 1));
+                        self.cells_along(
+                            &way,
+                            block,
+                            #[inline(always)]
+                            |x, z| {
+                                // Two triangles, as in `triangle`.
                                 let cell = (z * self.size[0] + x) as u32;
-                                parts[2 * place] = 2 * cell;
-                                parts[2 * place + 1] = 2 * cell + 1;
-                                triangles[2 * place] = [self.corner(x, z), right, far];
-                                triangles[2 * place + 1] = [self.corner(x + 1, z + 1), right, far];
-                            }
-                            let count = 2 * cells.len();
-                            let mut candidates = sheared.may_meet::<MOST>(triangles[..count].iter().copied());
-                            while candidates != 0 {
-                                let place = candidates.trailing_zeros() as usize % MOST;
-                                candidates &= candidates - 1;
-                                let corners = triangles[place];
-                                let Some(hit) = sheared.meet(corners) else { continue };
-                                // The triangle's own height: the ray's would fray what lies level with the water.
-                                if range.min < hit.t && hit.t < max && blend(corners, hit.at).y >= self.water
-                                {
-                                    max = found(parts[place], hit).unwrap_or(max);
+                                let (right, far) = (self.corner(x + 1, z), self.corner(x, z + 1));
+                                for (near, part) in [((x, z), 2 * cell), ((x + 1, z + 1), 2 * cell + 1)] {
+                                    let corners = [self.corner(near.0, near.1), right, far];
+                                    let Some(hit) = sheared.meet(corners) else { continue };
+                                    // The triangle's own height: the ray's would fray what lies level with the
+                                    // water.
+                                    let is_above = || blend(corners, hit.at).y >= self.water;
+                                    if range.min < hit.t && hit.t < max && is_above() {
+                                        max = found(part, hit).unwrap_or(max);
+                                    }
                                 }
-                            }
-                        }
+                            },
+                        );
                         max
                     },
                 );
             },
         );
+    }
+
+    /// A ray as the grid sees it.
+    fn way(&self, ray: &Ray) -> Way {
+        let scale = self.size.map(|samples| (samples - 1) as f64);
+        let (along_x, along_z) = (ray.direction.x * scale[0], ray.direction.z * scale[1]);
+        Way {
+            x: ray.origin.x * scale[0],
+            y: ray.origin.y * FULL,
+            z: ray.origin.z * scale[1],
+            along_z,
+            slope: if along_x == 0.0 { 0.0 } else { along_x / along_z },
+            climb: ray.direction.y * FULL / along_z,
+        }
     }
 
     /// The normal POV-Ray keeps for a sample: the mean of up to four triangles around it, in the space
@@ -210,6 +236,16 @@ impl HeightField {
         let [width, depth] = self.size;
         coarse * DVec3::new((width - 1) as f64, FULL, (depth - 1) as f64)
     }
+}
+
+/// The least and the greatest.
+#[inline(always)]
+fn extremes(row: &[u16]) -> (u16, u16) {
+    let (mut least, mut most) = (u16::MAX, 0);
+    for height in row {
+        (least, most) = (least.min(*height), most.max(*height));
+    }
+    (least, most)
 }
 
 impl Shape for HeightField {

@@ -1,7 +1,7 @@
 //! `prism` (docs/spec/primitives.md 6.3).
 
 use super::curve::{Curve, Segment, sign_changes};
-use super::stretch::Stretch;
+use super::stretch::{End, Stretch};
 use super::{Crossing, Shape};
 use crate::math::roots::roots_between;
 use crate::math::{Bounds, DVec2, DVec3};
@@ -23,6 +23,9 @@ pub struct Prism {
     pub open: bool,
 }
 
+/// Room around the part of a ray in which walls are looked for, relative to its coordinates.
+const BESIDE: f64 = 1e-9;
+
 /// Parts before the segments.
 const ENDS: u32 = 2;
 
@@ -41,7 +44,8 @@ impl Prism {
         if self.conic { flat(p) / p.y } else { flat(p) }
     }
 
-    fn push_walls(&self, ray: &Ray, found: &mut impl FnMut(f64, u32, f64)) {
+    /// Calls back with the crossings of the ray with walls: all those between two distances, and others.
+    fn push_walls(&self, ray: &Ray, between: [f64; 2], found: &mut impl FnMut(f64, u32, f64)) {
         let (o, d) = (ray.origin, ray.direction);
         // The plane through the ray, along y or through the apex, meets the outline's plane in the line
         // line.x x + line.z z + line.y = 0.
@@ -63,7 +67,12 @@ impl Prism {
                 (on - flat(o)).dot(flat(d)) / flat(d).length_squared()
             }
         };
+        let [least, most] = self.shadow(ray, between);
         for (part, segment) in (ENDS..).zip(self.outline.segments()) {
+            let [low, high] = segment.hull();
+            if low.x > most.x || high.x < least.x || low.y > most.y || high.y < least.y {
+                continue;
+            }
             if segment.is_passed_by(along, offset) {
                 continue;
             }
@@ -83,6 +92,28 @@ impl Prism {
                 |w| found(distance(w, segment), part, w),
             );
         }
+    }
+
+    /// A box in the outline's plane around the part of the ray between two distances, seen along y.
+    fn shadow(&self, ray: &Ray, [from, to]: [f64; 2]) -> [DVec2; 2] {
+        let (one, other) = (flat(ray.at(from)), flat(ray.at(to)));
+        if self.conic || !one.is_finite() || !other.is_finite() {
+            return [DVec2::NEG_INFINITY, DVec2::INFINITY];
+        }
+        let [low, high] = self.outline.hull();
+        let room = BESIDE * (high - low + low.abs() + one.abs().max(other.abs()));
+        [one.min(other) - room, one.max(other) + room]
+    }
+
+    /// Whether the end that a ray meets is there.
+    fn has_end(&self, ray: &Ray, end: End) -> bool {
+        if self.open || !end.t.is_finite() {
+            return false;
+        }
+        let mut point = ray.at(end.t);
+        point.y = self.heights[end.part as usize];
+        let apex = self.conic && point.y == 0.0;
+        !apex && self.outline.encloses(self.place(point))
     }
 
     fn center(&self) -> DVec3 {
@@ -109,21 +140,40 @@ impl Shape for Prism {
         let Some(slab) = Stretch::slab((bottom, 0), (top, 1), ray.origin.y, ray.direction.y) else {
             return;
         };
-        self.push_walls(&ray, &mut |t, part, w| {
+        let ends = [slab.enter, slab.leave];
+        self.push_walls(&ray, ends.map(|end| end.t), &mut |t, part, w| {
             if slab.enter.t <= t && t <= slab.leave.t && range.contains(t + shift) {
                 out.push(Crossing { t: t + shift, part, at: [w, 0.0] });
             }
         });
-        let ends = [slab.enter, slab.leave];
-        for end in ends.into_iter().filter(|end| end.t.is_finite() && !self.open) {
-            let mut point = ray.at(end.t);
-            point.y = self.heights[end.part as usize];
-            let apex = self.conic && point.y == 0.0;
-            if range.contains(end.t + shift) && !apex && self.outline.encloses(self.place(point)) {
+        for end in ends {
+            if range.contains(end.t + shift) && self.has_end(&ray, end) {
                 out.push(Crossing::new(end.t + shift, end.part));
             }
         }
         out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let (shift, ray) = ray.moved_to(self.center());
+        let [bottom, top] = self.heights;
+        let slab = Stretch::slab((bottom, 0), (top, 1), ray.origin.y, ray.direction.y)?;
+        let is_met = |end: End| range.contains(end.t + shift) && self.has_end(&ray, end);
+        if is_met(slab.enter) {
+            return Some(Crossing::new(slab.enter.t + shift, slab.enter.part));
+        }
+        let between = [slab.enter.t.max(range.min - shift), slab.leave.t.min(range.max - shift)];
+        if between[0] > between[1] {
+            return None;
+        }
+        let mut nearest: Option<Crossing> = None;
+        self.push_walls(&ray, between, &mut |t, part, w| {
+            let is_nearer = nearest.is_none_or(|nearest| t + shift < nearest.t);
+            if slab.enter.t <= t && t <= slab.leave.t && range.contains(t + shift) && is_nearer {
+                nearest = Some(Crossing { t: t + shift, part, at: [w, 0.0] });
+            }
+        });
+        nearest.or_else(|| is_met(slab.leave).then(|| Crossing::new(slab.leave.t + shift, slab.leave.part)))
     }
 
     fn inside(&self, point: DVec3) -> bool {

@@ -173,7 +173,20 @@ impl Shape for Superellipsoid {
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         if self.is_convex() {
             let (shift, ray, low, high) = Self::clipped(ray)?;
-            return self.stretch(&ray, low, high)?.shifted(shift).nearest(range);
+            let start = range.min - shift;
+            if start > low {
+                // Once outside and on the way out, always so.
+                let (value, gradient) = self.value(ray.at(start));
+                if value > NOISE && gradient.dot(ray.direction) >= 0.0 {
+                    return None;
+                }
+            }
+            let enter = self.approach(&ray, low, high, 1.0)?;
+            if enter + shift > range.min {
+                return range.contains(enter + shift).then(|| Crossing::new(enter + shift, 0));
+            }
+            let leave = self.approach(&ray, high, enter, -1.0).unwrap_or(enter) + shift;
+            return range.contains(leave).then(|| Crossing::new(leave, 0));
         }
         let mut all = Vec::new();
         self.crossings(ray, range, &mut all);

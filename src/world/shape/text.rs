@@ -78,16 +78,14 @@ impl Shape for Text {
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let mut nearest: Option<Crossing> = None;
-        let mut all = Vec::new();
+        let mut range = range;
         self.bvh.along(ray, range, |number| {
             let glyph = &self.glyphs[number as usize];
-            let max = nearest.map_or(range.max, |nearest| nearest.t);
-            all.clear();
-            glyph.prism.crossings(ray, Range { min: range.min, max }, &mut all);
-            if let Some(first) = all.first() {
-                nearest = Some(Crossing { part: first.part + glyph.first, ..*first });
+            if let Some(first) = glyph.prism.nearest(ray, range) {
+                nearest = Some(Crossing { part: first.part + glyph.first, ..first });
+                range.max = first.t;
             }
-            nearest.map_or(max, |nearest| nearest.t)
+            range.max
         });
         nearest
     }
