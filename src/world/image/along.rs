@@ -75,7 +75,8 @@ impl ImageMap {
             }
             of(&color)
         };
-        both(self.shown(&position, &undone), Band::constant(of(clear)), &position)
+        let (clear, room) = (of(clear), ROUNDING * of(clear).abs());
+        both(self.shown(&position, &undone), Band::between(clear - room, clear + room), &position)
     }
 
     /// [`Self::position`] along lines, in pixels, which may lie outside where the image repeats.
@@ -147,12 +148,12 @@ impl ImageMap {
         let mut highs = Lanes::splat(f64::INFINITY);
         let mut single = Lanes::splat(-1.0);
         let mut cells = [(0.0, 0.0); Lanes::COUNT];
-        for lane in 0..Lanes::COUNT {
+        for (lane, cell) in cells.iter_mut().enumerate() {
             let [from_x, to_x, from_y, to_y] =
                 [x.low() - ROOM, x.high() + ROOM, y.low() - ROOM, y.high() + ROOM].map(|c| c.0[lane].floor());
             if from_x == to_x && from_y == to_y && self.interpolation != Interpolation::None {
                 single.0[lane] = 1.0;
-                cells[lane] = (from_x, from_y);
+                *cell = (from_x, from_y);
             }
             // The pixels that are weighed, before and behind the place.
             let (before, behind) = match self.interpolation {

@@ -46,8 +46,7 @@ impl Orbit {
             *length = q.length();
             count = turn + 1;
             most = most.max((*length - escape) / spread);
-            // What is no number isn't short either.
-            if !(*length < LONG) {
+            if *length >= LONG || length.is_nan() {
                 break;
             }
             spread *= self.parted(*length, 1e-9) * 1e9;
