@@ -72,6 +72,10 @@ mod tests {
     use crate::scene::settings::Settings;
     use crate::source::Span;
     use crate::world::function::Budget;
+    use crate::world::shape::Shape;
+    use crate::world::shape::r#box::Cuboid;
+    use crate::world::shape::isosurface::{Container, Isosurface, Steepest};
+    use crate::world::{Range, Ray};
 
     fn of(parameters: usize, body: FunctionBody) -> Arc<scene::Function> {
         Arc::new(scene::Function {
@@ -249,6 +253,42 @@ mod tests {
         let choice = vec![parameter(1), number(7.0), parameter(0), wave];
         let counted = expression(2, Expr::Call(Builtin::Select, choice));
         assert!(held(&expression(1, Expr::User(counted, vec![parameter(0), number(5.0)]))) < 1e-4);
+    }
+
+    #[test]
+    fn a_surface_of_what_calls_itself_has_no_holes() {
+        let less = binary(BinaryOp::Subtract, parameter(3), number(1.0));
+        let wider = binary(BinaryOp::Multiply, parameter(0), number(1.1));
+        let again = Expr::Recursion(vec![wider, parameter(1), parameter(2), less]);
+        let square = |index| binary(BinaryOp::Multiply, parameter(index), parameter(index));
+        let sum = binary(BinaryOp::Add, binary(BinaryOp::Add, square(0), square(1)), square(2));
+        let thin = binary(
+            BinaryOp::Subtract,
+            Expr::Call(Builtin::Abs, vec![binary(BinaryOp::Subtract, sum, number(1.0))]),
+            number(1e-3),
+        );
+        let counted =
+            expression(4, Expr::Call(Builtin::Select, vec![parameter(3), number(9.0), thin, again]));
+        let called = vec![parameter(0), parameter(1), parameter(2), number(3.0)];
+        let half = DVec3::splat(1.5);
+        let shell = Isosurface {
+            function: compile(&expression(3, Expr::User(counted, called))).unwrap(),
+            threshold: 0.0,
+            container: Container::Box(Cuboid { min: -half, max: half }),
+            accuracy: 1e-3,
+            max_gradient: 0.01,
+            adaptive: None,
+            most: 1,
+            open: false,
+            steepest: Steepest::default(),
+        };
+        for n in 0..50 {
+            let (y, z) = (f64::from(n % 7) * 0.1 - 0.3, f64::from(n / 7) * 0.1 - 0.3);
+            let ray = Ray::new(DVec3::new(-3.0, y, z), DVec3::X);
+            let expected = 3.0 - (1.0 + 1e-3 - y * y - z * z).sqrt() / 1.1_f64.powi(3);
+            let found = shell.nearest(&ray, Range::AHEAD).map(|crossing| crossing.t);
+            assert!(found.is_some_and(|t| (t - expected).abs() < 1e-9), "{y} {z}: {found:?} {expected}");
+        }
     }
 
     #[test]
