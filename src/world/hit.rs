@@ -301,13 +301,16 @@ impl Geometry {
         }
         let mut is_shut = |number: u32| {
             let object = &self.parts.objects[number as usize];
-            // Where a lone primitive is asked, its box needn't be.
+            // A lone primitive that is soon asked needs no look at its box.
+            let plain = match object.member {
+                Member::Leaf(number) => self.parts.leaf(number).primitive.is_soon_asked(),
+                Member::Group(_) => false,
+            };
             let near = || {
                 let bounds = &self.parts.extent(object.member).bounds;
                 !bounds.is_finite() || Slabs::new(ray).meet(bounds, range)
             };
-            let asked = matches!(object.member, Member::Leaf(_)) || near();
-            asked && self.occluders_of(object, number, ray, range, through)
+            (plain || near()) && self.occluders_of(object, number, ray, range, through)
         };
         let blocker = match among {
             Among::Near(numbers) => numbers.iter().copied().find(|&number| is_shut(number)),

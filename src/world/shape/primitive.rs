@@ -47,6 +47,12 @@ impl Primitive {
         }
     }
 
+    /// Whether it takes no longer to ask it than to look at its box.
+    #[inline]
+    pub fn is_soon_asked(&self) -> bool {
+        !matches!(self, Self::Torus(_) | Self::Mesh(_) | Self::Quadric(_) | Self::Other(_))
+    }
+
     /// Whether textures are looked up at its crossings and its normals are those of the surface.
     #[inline]
     pub fn is_simple(&self) -> bool {
