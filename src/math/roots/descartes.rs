@@ -1,23 +1,39 @@
 //! Roots told apart by the signs of Bernstein coefficients (Descartes' rule: no change of sign, no
 //! root; one change, one root).
 
-use super::polynomial::{Roots, bracketed};
+use super::polynomial::bracketed;
 
 /// Intervals are divided at most this often to part neighbouring roots.
 const HALVINGS: u32 = 10;
 
-/// The roots in `[low, high]` of a polynomial with the `L` coefficients `c`. `None` where rounding or
-/// roots close together leave doubt.
-pub(super) fn isolated<const L: usize, const N: usize>(c: &[f64], low: f64, high: f64) -> Option<Roots<N>> {
-    let c: &[f64; L] = c.try_into().ok()?;
+/// How a search for roots ended.
+pub(super) enum Search {
+    /// All wanted roots were found.
+    Done,
+    /// Nobody wants more of them.
+    Stopped,
+    /// From here on rounding or roots close together leave doubt.
+    Doubt(f64),
+}
+
+/// Calls back with the roots in `[low, high]` of a polynomial with the `L` coefficients `c`, as
+/// [`each_root`](super::each_root) does.
+pub(super) fn each_isolated<const L: usize>(
+    c: &[f64],
+    [low, high]: [f64; 2],
+    wanted: [f64; 2],
+    found: &mut dyn FnMut(f64) -> bool,
+) -> Search {
+    let Ok(c) = <&[f64; L]>::try_from(c) else {
+        return Search::Doubt(low);
+    };
     let width = high - low;
     let (b, noise) = bernstein(c, low, width);
     if !noise.is_finite() {
-        return None;
+        return Search::Doubt(low);
     }
-    let mut roots = Roots::new();
     let place = Stretch { low, width, from: 0.0, share: 1.0 };
-    isolate(c, &b, place, noise, HALVINGS, &mut roots).then_some(roots)
+    Isolation { c, noise, wanted, found }.search(&b, place, HALVINGS)
 }
 
 /// How many times the rounding errors of its values a polynomial must rise beside a zero to be known
@@ -91,7 +107,10 @@ fn bernstein<const L: usize>(c: &[f64; L], low: f64, width: f64) -> ([f64; L], f
         }
     }
     let reach = low.abs() + width;
-    let size = c.iter().rev().fold(0.0, |sum, c| sum * reach + c.abs());
+    let mut size = 0.0;
+    for i in (0..L).rev() {
+        size = size * reach + c[i].abs();
+    }
     (b, 16.0 * (L - 1) as f64 * f64::EPSILON * size)
 }
 
@@ -105,56 +124,71 @@ struct Stretch {
 }
 
 impl Stretch {
+    #[inline(always)]
     fn at(&self, share: f64) -> f64 {
         self.low + self.width * (self.from + self.share * share)
     }
 }
 
-/// Appends the roots on a stretch with the Bernstein coefficients `b`; whether all were told apart.
-fn isolate<const L: usize, const N: usize>(
-    c: &[f64; L],
-    b: &[f64; L],
-    place: Stretch,
+/// A search for the roots of a polynomial.
+struct Isolation<'a, const L: usize> {
+    c: &'a [f64; L],
+    /// What rounding may have done to a Bernstein coefficient.
     noise: f64,
-    halvings: u32,
-    roots: &mut Roots<N>,
-) -> bool {
-    if b[0].abs() <= noise || b[L - 1].abs() <= noise {
-        return false;
+    wanted: [f64; 2],
+    found: &'a mut dyn FnMut(f64) -> bool,
+}
+
+impl<const L: usize> Isolation<'_, L> {
+    /// Calls back with the roots on a stretch with the Bernstein coefficients `b`.
+    fn search(&mut self, b: &[f64; L], place: Stretch, halvings: u32) -> Search {
+        let ends = [place.at(0.0), place.at(1.0)];
+        if ends[1] < self.wanted[0] {
+            return Search::Done;
+        }
+        if ends[0] > self.wanted[1] {
+            return Search::Stopped;
+        }
+        let (mut changes, mut least) = (0, b[0].abs());
+        for i in 1..L {
+            changes += u32::from((b[i - 1] < 0.0) != (b[i] < 0.0));
+            least = least.min(b[i].abs());
+        }
+        let certain = least > self.noise;
+        if certain && changes == 0 {
+            return Search::Done;
+        }
+        if b[0].abs() <= self.noise || b[L - 1].abs() <= self.noise {
+            return Search::Doubt(ends[0]);
+        }
+        if certain && changes == 1 {
+            return match bracketed(self.c, (ends[0], b[0]), (ends[1], b[L - 1])) {
+                Some(root) if (self.found)(root) => Search::Done,
+                Some(_) => Search::Stopped,
+                None => Search::Doubt(ends[0]),
+            };
+        }
+        if halvings == 0 {
+            return Search::Doubt(ends[0]);
+        }
+        // Between two roots, if there are two, else anywhere: in the middle.
+        let share = if changes == 2 { far_side(b) } else { 0.5 };
+        let (left, right) = divided(b, share);
+        let first = Stretch { share: share * place.share, ..place };
+        let second = Stretch { from: first.from + first.share, share: place.share - first.share, ..place };
+        match self.search(&left, first, halvings - 1) {
+            Search::Done => self.search(&right, second, halvings - 1),
+            other => other,
+        }
     }
-    let (mut changes, mut certain) = (0, true);
-    for i in 1..L {
-        changes += u32::from((b[i - 1] < 0.0) != (b[i] < 0.0));
-        certain &= b[i].abs() > noise;
-    }
-    if certain && changes == 0 {
-        return true;
-    }
-    if certain && changes == 1 {
-        let Some(root) = bracketed(c, (place.at(0.0), b[0]), (place.at(1.0), b[L - 1])) else {
-            return false;
-        };
-        roots.push(root);
-        return true;
-    }
-    if halvings == 0 {
-        return false;
-    }
-    // Between two roots, if there are two, else anywhere: in the middle.
-    let share = if changes == 2 { far_side(b) } else { 0.5 };
-    let (left, right) = divided(b, share);
-    let first = Stretch { share: share * place.share, ..place };
-    let second = Stretch { from: first.from + first.share, share: place.share - first.share, ..place };
-    isolate(c, &left, first, noise, halvings - 1, roots)
-        && isolate(c, &right, second, noise, halvings - 1, roots)
 }
 
 /// De Casteljau's division: the coefficients before and after a share of the way.
 #[inline(always)]
 fn divided<const L: usize>(b: &[f64; L], share: f64) -> ([f64; L], [f64; L]) {
     let (mut left, mut right) = ([0.0; L], *b);
-    for (i, first) in left.iter_mut().enumerate() {
-        *first = right[0];
+    for i in 0..L {
+        left[i] = right[0];
         for j in 0..L - 1 - i {
             right[j] = (1.0 - share) * right[j] + share * right[j + 1];
         }

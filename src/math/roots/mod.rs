@@ -10,7 +10,7 @@ mod unbounded;
 
 pub use bracket::between;
 pub use descartes::any_between;
-pub use polynomial::{Roots, roots_between};
+pub use polynomial::{Roots, bracketed, each_root, roots_between};
 
 /// `a b - c d` with an error below 2 units in the last place (Kahan; Jeannerod et al. 2013).
 #[inline]

@@ -1,6 +1,6 @@
 //! Bracketed Newton on the monotone stretches of a polynomial (Yuksel, High Performance Graphics 2022).
 
-use super::descartes::isolated;
+use super::descartes::{Search, each_isolated};
 use super::unbounded::{bounds, unbounded};
 
 /// The largest quotient of roots, as a power of two, with which they are looked for all at once.
@@ -18,14 +18,17 @@ impl<const N: usize> Roots<N> {
         Self { values: [0.0; N], count: 0 }
     }
 
+    /// Appends a root that is larger, if there is room.
     pub(super) fn push(&mut self, root: f64) {
-        self.values[self.count] = root;
-        self.count += 1;
+        if let Some(place) = self.values.get_mut(self.count) {
+            *place = root;
+            self.count += 1;
+        }
     }
 
     /// Appends roots that are larger, as far as there is room.
     pub(super) fn extend(&mut self, larger: impl Iterator<Item = f64>) {
-        larger.take(N - self.count).for_each(|root| self.push(root));
+        larger.for_each(|root| self.push(root));
     }
 
     /// The same roots in another unit; `change` must keep their order.
@@ -46,6 +49,22 @@ impl<const N: usize> Roots<N> {
 ///
 /// A simple root is exact to the last bits its coefficients determine, a double one to half of them.
 pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) -> Roots<N> {
+    let mut roots = Roots::new();
+    each_root::<N>(coefficients, [low, high], [low, high], &mut |root| {
+        roots.push(root);
+        true
+    });
+    roots
+}
+
+/// Calls back with the roots that [`roots_between`] the ends gives, ascending, until that returns `false`;
+/// whether it never did. Those outside of what is `wanted` may be left out, which spares their search.
+pub fn each_root<const N: usize>(
+    coefficients: &[f64],
+    [low, high]: [f64; 2],
+    wanted: [f64; 2],
+    found: &mut dyn FnMut(f64) -> bool,
+) -> bool {
     let coefficients = trimmed(coefficients);
     if coefficients.len() < 2
         || coefficients.len() > N
@@ -54,7 +73,7 @@ pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) 
         || low > high
         || !coefficients.iter().all(|c| c.is_finite())
     {
-        return Roots::new();
+        return true;
     }
     if low == f64::NEG_INFINITY || high == f64::INFINITY {
         return match bounds(coefficients) {
@@ -62,12 +81,12 @@ pub fn roots_between<const N: usize>(coefficients: &[f64], low: f64, high: f64) 
             (least, most) if most - least <= ALIKE => {
                 let bound = 2f64.powi(most);
                 let (low, high) = (low.max(-bound), high.min(bound));
-                if low > high { Roots::new() } else { roots_within(coefficients, low, high) }
+                low > high || each_within::<N>(coefficients, [low, high], wanted, found)
             }
-            _ => unbounded(coefficients, low, high),
+            _ => unbounded::<N>(coefficients, low, high).as_slice().iter().all(|root| found(*root)),
         };
     }
-    roots_within(coefficients, low, high)
+    each_within::<N>(coefficients, [low, high], wanted, found)
 }
 
 /// Without leading coefficients that are 0.
@@ -75,21 +94,42 @@ pub(super) fn trimmed(coefficients: &[f64]) -> &[f64] {
     &coefficients[..coefficients.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1)]
 }
 
-/// The same in a finite interval, of a polynomial without a leading zero.
+/// All roots in a finite interval, of a polynomial without a leading zero.
 pub(super) fn roots_within<const N: usize>(coefficients: &[f64], low: f64, high: f64) -> Roots<N> {
-    let isolated = match coefficients.len() {
-        0 | 1 => return Roots::new(),
-        2 => isolated::<2, N>(coefficients, low, high),
-        3 => isolated::<3, N>(coefficients, low, high),
-        4 => isolated::<4, N>(coefficients, low, high),
-        5 => isolated::<5, N>(coefficients, low, high),
-        6 => isolated::<6, N>(coefficients, low, high),
-        7 => isolated::<7, N>(coefficients, low, high),
-        8 => isolated::<8, N>(coefficients, low, high),
-        9 => isolated::<9, N>(coefficients, low, high),
-        _ => None,
+    let mut roots = Roots::new();
+    each_within::<N>(coefficients, [low, high], [low, high], &mut |root| {
+        roots.push(root);
+        true
+    });
+    roots
+}
+
+/// As [`each_root`], in a finite interval and of a polynomial without a leading zero.
+fn each_within<const N: usize>(
+    c: &[f64],
+    ends: [f64; 2],
+    wanted: [f64; 2],
+    found: &mut dyn FnMut(f64) -> bool,
+) -> bool {
+    let search = match c.len() {
+        0 | 1 => Search::Done,
+        2 => each_isolated::<2>(c, ends, wanted, found),
+        3 => each_isolated::<3>(c, ends, wanted, found),
+        4 => each_isolated::<4>(c, ends, wanted, found),
+        5 => each_isolated::<5>(c, ends, wanted, found),
+        6 => each_isolated::<6>(c, ends, wanted, found),
+        7 => each_isolated::<7>(c, ends, wanted, found),
+        8 => each_isolated::<8>(c, ends, wanted, found),
+        9 => each_isolated::<9>(c, ends, wanted, found),
+        _ => Search::Doubt(ends[0]),
     };
-    isolated.unwrap_or_else(|| by_derivatives(coefficients, low, high))
+    match search {
+        Search::Done => true,
+        Search::Stopped => false,
+        Search::Doubt(from) => {
+            by_derivatives::<N>(c, from, ends[1]).as_slice().iter().all(|root| found(*root))
+        }
+    }
 }
 
 /// The same by way of all derivatives: slower, but sound where roots are multiple or nearly so.
@@ -140,7 +180,7 @@ fn stretch_roots<const N: usize>(c: &[f64], low: f64, high: f64, ends: &Roots<N>
     if let Some(root) = bracketed(c, from, to) {
         roots.push(root);
     }
-    if to.1 == 0.0 && high > low && roots.count < N {
+    if to.1 == 0.0 && high > low {
         roots.push(high);
     }
     roots
@@ -175,9 +215,10 @@ pub(super) fn value_above_noise(c: &[f64], x: f64) -> f64 {
     if value.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { value }
 }
 
-/// The root in a bracket with values of opposite sign at its ends.
+/// The root of the polynomial with the coefficients `c` in a bracket with values of opposite sign at its ends,
+/// each an argument with its value.
 #[inline(always)]
-pub(super) fn bracketed(c: &[f64], from: (f64, f64), to: (f64, f64)) -> Option<f64> {
+pub fn bracketed(c: &[f64], from: (f64, f64), to: (f64, f64)) -> Option<f64> {
     if from.1 == 0.0 || to.1 == 0.0 || (from.1 < 0.0) == (to.1 < 0.0) {
         return None;
     }
@@ -187,7 +228,7 @@ pub(super) fn bracketed(c: &[f64], from: (f64, f64), to: (f64, f64)) -> Option<f
     // Where the chord crosses, but not at an end: roots there are found as fast from anywhere.
     let share = (from.1 / (from.1 - to.1)).clamp(1.0 / 64.0, 63.0 / 64.0);
     let mut x = low + width * if share.is_nan() { 0.5 } else { share };
-    let mut last_step = width;
+    let (mut last_step, mut was_newton) = (width, false);
     loop {
         let (value, slope) = value_and_slope(c, x);
         if value == 0.0 {
@@ -198,13 +239,22 @@ pub(super) fn bracketed(c: &[f64], from: (f64, f64), to: (f64, f64)) -> Option<f
         } else {
             high = x;
         }
+        let fine = f64::EPSILON * 0.5 * x.abs();
         let mut next = x - value / slope;
+        let step = (next - x).abs();
         // A step out of the bracket, or one that doesn't halve the last, gives way to bisection.
-        if !(next > low && next < high && (next - x).abs() <= 0.5 * last_step) {
+        let is_newton = next > low && next < high && step <= 0.5 * last_step;
+        if is_newton {
+            // What is left is to this step as its square to that of the last: less than anything can tell.
+            if was_newton && step * step * step <= fine * last_step * last_step {
+                return Some(next);
+            }
+        } else {
             next = low + (high - low) * 0.5;
         }
+        was_newton = is_newton;
         last_step = (next - x).abs();
-        if last_step <= f64::EPSILON * 0.5 * x.abs() || next <= low || next >= high {
+        if last_step <= fine || next <= low || next >= high {
             return Some(next);
         }
         x = next;

@@ -14,14 +14,26 @@ fn exponent(c: f64) -> i32 {
 /// Powers of two: all roots but those at 0 are farther from it than the first and no farther than the second
 /// (Fujiwara).
 pub(super) fn bounds(c: &[f64]) -> (i32, i32) {
-    let known = || (0..).zip(c).filter(|(_, c)| **c != 0.0).map(|(i, c)| (i, exponent(*c)));
-    let (Some((first, low)), Some((last, high))) = (known().next(), known().last()) else {
+    let first = c.iter().take_while(|c| **c == 0.0).count();
+    let Some(last) = c.iter().rposition(|c| *c != 0.0) else {
         return (0, 0);
     };
+    let (low, high) = (exponent(c[first]), exponent(c[last]));
     // Exponents are above by up to 1, those divided by may be too small by as much.
-    let rate = |above: i32, length: i32| -(-above - 1).div_euclid(length);
-    let most = known().filter(|(i, _)| *i < last).map(|(i, e)| rate(e - high, last - i)).max();
-    let least = known().filter(|(i, _)| *i > first).map(|(i, e)| rate(e - low, i - first)).max();
+    let rate = |above: i32, length: usize| -(-above - 1).div_euclid(length as i32);
+    let (mut least, mut most) = (None, None);
+    for i in first..=last {
+        if c[i] == 0.0 {
+            continue;
+        }
+        let above = exponent(c[i]);
+        if i < last {
+            most = most.max(Some(rate(above - high, last - i)));
+        }
+        if i > first {
+            least = least.max(Some(rate(above - low, i - first)));
+        }
+    }
     (-1 - least.unwrap_or(0), 1 + most.unwrap_or(0))
 }
 

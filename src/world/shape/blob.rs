@@ -5,7 +5,7 @@ use smallvec::SmallVec;
 use super::stretch::Stretch;
 use super::{Crossing, OWN_TEXTURE, Shape};
 use crate::math::roots::{between, roots_between, with_discriminant};
-use crate::math::{Bounds, DAffine3, DVec3, Transform};
+use crate::math::{Bounds, DAffine3, DMat3, DVec3, Transform};
 use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
@@ -29,6 +29,8 @@ pub struct Part {
     tube: bool,
     /// Where it is cut off along z; the ends belong to the tube.
     ends: [f64; 2],
+    /// That space is reached without turning, by the same scale along all axes.
+    is_even: bool,
     strength: f64,
     texture: u32,
     /// The box around the ball, or both balls of a tube.
@@ -38,9 +40,17 @@ pub struct Part {
 impl Part {
     /// A ball of radius 1 about the origin, put in place by `transform`.
     pub fn ball(transform: &Transform, strength: f64, texture: u32) -> Self {
-        let ends = [f64::NEG_INFINITY, f64::INFINITY];
         let (inverse, bounds) = (transform.inverse, around_ball(transform));
-        Self { inverse, tube: false, ends, strength, texture, bounds }
+        let is_even = inverse.matrix3 == DMat3::from_diagonal(DVec3::splat(inverse.matrix3.x_axis.x));
+        Self {
+            inverse,
+            tube: false,
+            ends: [f64::NEG_INFINITY, f64::INFINITY],
+            is_even,
+            strength,
+            texture,
+            bounds,
+        }
     }
 
     /// A tube of radius 1 about the z axis from 0 to `length` with a half-ball at each end.
@@ -68,18 +78,31 @@ impl Part {
     }
 
     /// Where a ray is in the field, and how its distance from the middle, squared, starts and grows.
+    #[inline(always)]
     fn meet(&self, ray: &Ray) -> Option<Span> {
-        let o = self.inverse.transform_point3(ray.origin);
-        let d = self.inverse.transform_vector3(ray.direction);
-        let cut = Stretch::slab((self.ends[0], 0), (self.ends[1], 0), o.z, d.z)?;
+        let (o, d) = if self.is_even {
+            let scale = self.inverse.matrix3.x_axis.x;
+            (ray.origin * scale + self.inverse.translation, ray.direction * scale)
+        } else {
+            (self.inverse.transform_point3(ray.origin), self.inverse.transform_vector3(ray.direction))
+        };
         let (f, e) = if self.tube { (o.with_z(0.0), d.with_z(0.0)) } else { (o, d) };
         let (a, b, c) = (e.length_squared(), f.dot(e), f.length_squared());
-        let span = if a == 0.0 {
-            (c < 1.0).then_some(cut)?
+        if a * (c - 1.0) - b * b > CLEAR * a * c {
+            return None;
+        }
+        let [low, high] = self.ends;
+        let cut = if low == f64::NEG_INFINITY && high == f64::INFINITY {
+            Stretch::LINE
         } else {
-            let nearest = (f - (b / a) * e).length();
-            let [enter, leave] = with_discriminant(a, b, c - 1.0, a * (1.0 - nearest) * (1.0 + nearest))?;
-            cut.meet(Stretch::new(enter, 0, leave, 0)?)?
+            Stretch::slab((low, 0), (high, 0), o.z, d.z)?
+        };
+        let (span, rest) = if a == 0.0 {
+            ((c < 1.0).then_some(cut)?, 1.0 - c)
+        } else {
+            let rest = 1.0 - (f - (b / a) * e).length_squared();
+            let [enter, leave] = with_discriminant(a, b, c - 1.0, a * rest)?;
+            (cut.meet(Stretch::new(enter, 0, leave, 0)?)?, rest)
         };
         let (enter, leave) = (span.enter.t, span.leave.t);
         (enter < leave && leave.is_finite() && enter.is_finite()).then_some(Span {
@@ -87,9 +110,13 @@ impl Part {
             leave,
             square: [c, b, a],
             strength: self.strength,
+            peak: (self.strength * rest * rest).max(0.0),
         })
     }
 }
+
+/// The share of the squared distance by which a ray must pass a field, far more than it is rounded by.
+const CLEAR: f64 = 1e-12;
 
 fn around_ball(transform: &Transform) -> Bounds {
     let m = transform.forward.matrix3.transpose();
@@ -105,6 +132,8 @@ struct Span {
     /// c, b, a of the squared distance a t² + 2 b t + c.
     square: [f64; 3],
     strength: f64,
+    /// The field is nowhere more.
+    peak: f64,
 }
 
 impl Span {
@@ -186,50 +215,71 @@ impl Blob {
         let (shift, ray) = ray.moved_to(center);
         let room = BESIDE * shift.abs();
         let range = Range { min: range.min - shift - room, max: range.max - shift + room };
-        // All along the line, so that a crossing is the same to the last bit whatever the range.
         let mut spans = SmallVec::<[Span; 16]>::new();
+        let (mut peak, mut last) = (0.0, f64::NEG_INFINITY);
+        // All along the line, so that a crossing is the same to the last bit whatever the range.
         self.bvh.along(&ray, Range::LINE, |part| {
             if let Some(span) = self.parts[part as usize].meet(&ray) {
+                peak += span.peak;
+                last = span.leave.max(last);
                 spans.push(span);
             }
             f64::INFINITY
         });
-        let mut events = SmallVec::<[f64; 32]>::new();
-        for span in &spans {
-            events.extend_from_slice(&[span.enter, span.leave]);
+        let sure = SURE * self.threshold.abs();
+        if peak < self.threshold - sure {
+            return;
         }
-        events.sort_unstable_by(f64::total_cmp);
-        events.dedup();
+        spans.sort_unstable_by(|a, b| a.enter.total_cmp(&b.enter));
+        let spans = spans.as_slice();
+        let Some(mut end) = spans.first().map(|span| span.enter) else {
+            return;
+        };
+        let least_gap = ONE_EVENT * (last - end);
+        let mut entered = 0;
         // The sum at the end of one gap is that at the start of the next.
         let mut value = None;
-        let mut active = SmallVec::<[usize; 16]>::new();
-        for gap in events.windows(2) {
-            let (start, length) = (gap[0], gap[1] - gap[0]);
-            let middle = start + 0.5 * length;
-            // Where a tube ends and its half-ball begins: the two planes are one but for rounding.
-            if length <= ONE_EVENT * (events[events.len() - 1] - events[0]) || gap[1] <= range.min {
-                continue;
-            }
-            if start >= range.max {
-                return;
-            }
-            active.clear();
-            let (mut least, mut most) = (0.0, 0.0);
-            for (number, span) in spans.iter().enumerate() {
-                if span.enter < middle && middle < span.leave {
-                    active.push(number);
-                    let [low, high] = span.between(gap[0], gap[1]);
-                    (least, most) = (least + low, most + high);
+        let mut active = SmallVec::<[&Span; 16]>::new();
+        while end < last && end < range.max {
+            // From one event to the next: the sum is one polynomial there.
+            let start = end;
+            for place in (0..active.len()).rev() {
+                if active[place].leave <= start {
+                    active.swap_remove(place);
                 }
             }
-            let sure = SURE * self.threshold.abs();
+            while entered < spans.len() && spans[entered].enter <= start {
+                active.push(&spans[entered]);
+                entered += 1;
+            }
+            let active = active.as_slice();
+            end = spans.get(entered).map_or(last, |span| span.enter);
+            let mut peak = 0.0;
+            for span in active {
+                end = end.min(span.leave);
+                peak += span.peak;
+            }
+            let length = end - start;
+            // Where a tube ends and its half-ball begins: the two planes are one but for rounding.
+            if length <= least_gap || end <= range.min {
+                continue;
+            }
+            if peak < self.threshold - sure {
+                value = None;
+                continue;
+            }
+            let (mut least, mut most) = (0.0, 0.0);
+            for span in active {
+                let [low, high] = span.between(start, end);
+                (least, most) = (least + low, most + high);
+            }
             if most < self.threshold - sure || least > self.threshold + sure {
                 value = None;
                 continue;
             }
             let mut quartic = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
-            for number in &active {
-                spans[*number].add(start, &mut quartic);
+            for span in active {
+                span.add(start, &mut quartic);
             }
             let [a, b, c, d, e] = quartic;
             let at = |t: f64| a + t * (b + t * (c + t * (d + t * e)));

@@ -2,7 +2,7 @@
 //! (docs/spec/primitives.md 6).
 
 use crate::math::DVec2;
-use crate::math::roots::{Roots, between, roots_between};
+use crate::math::roots::{Roots, between, bracketed, roots_between};
 
 /// One piece of a curve, over w from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,6 +111,29 @@ struct Piece {
     ends: [(f64, f64); 2],
 }
 
+impl Piece {
+    /// Whether the line from `p` towards +x crosses it; of its ends only those above `p` are beyond the line.
+    fn is_crossed(&self, p: DVec2) -> bool {
+        let [from, to] = self.ends;
+        let [low, high] = self.segment.hull;
+        if (from.1 > p.y) == (to.1 > p.y) || high.x <= p.x {
+            return false;
+        }
+        if low.x > p.x {
+            return true;
+        }
+        if self.segment.is_straight() {
+            let w = Segment::straight_change(from.1 - p.y, to.1 - p.y);
+            return w.is_some_and(|w| self.segment.point(w).x > p.x);
+        }
+        let mut above = self.segment.polynomial(|on| on.y);
+        above[0] -= p.y;
+        let (from, to) = ((from.0, from.1 - p.y), (to.0, to.1 - p.y));
+        let at_end = if from.1 == 0.0 { from.0 } else { to.0 };
+        self.segment.point(bracketed(&above, from, to).unwrap_or(at_end)).x > p.x
+    }
+}
+
 /// Segments one after another; several outlines may follow each other.
 #[derive(Clone, Debug)]
 pub struct Curve {
@@ -155,21 +178,11 @@ impl Curve {
         if p.y < low.y || p.y > high.y || p.x >= high.x {
             return false;
         }
-        let crossed = |piece: &&Piece| {
-            let [from, to] = piece.ends;
-            if (from.1 > p.y) == (to.1 > p.y) || piece.segment.hull[1].x <= p.x {
-                return false;
-            }
-            let above = |y: f64| y - p.y;
-            if piece.segment.is_straight() {
-                let w = Segment::straight_change(above(from.1), above(to.1));
-                return piece.segment.hull[0].x > p.x || w.is_some_and(|w| piece.segment.point(w).x > p.x);
-            }
-            let height = |w: f64| above(piece.segment.point(w).y);
-            piece.segment.hull[0].x > p.x
-                || piece.segment.point(between((from.0, above(from.1)), (to.0, above(to.1)), height)).x > p.x
-        };
-        self.pieces.iter().filter(crossed).count() % 2 == 1
+        let mut odd = false;
+        for piece in &self.pieces {
+            odd ^= piece.is_crossed(p);
+        }
+        odd
     }
 }
 

@@ -1,7 +1,7 @@
 //! `cubic`, `quartic`, `poly`, `polynomial` (docs/spec/primitives.md 3.9).
 
 use super::{Crossing, Shape};
-use crate::math::roots::{Roots, roots_between};
+use crate::math::roots::each_root;
 use crate::math::{Bounds, DVec3};
 use crate::world::{Range, Ray};
 
@@ -15,6 +15,9 @@ pub struct Poly {
 
 /// The highest degree.
 pub const MAX_DEGREE: usize = 35;
+
+/// How far beyond its ends a range is searched, as a share of their distance.
+const BESIDE: f64 = 1e-6;
 
 /// A polynomial along a ray, the constant first.
 #[derive(Clone, Copy)]
@@ -101,21 +104,27 @@ impl Poly {
         in_x
     }
 
-    fn roots<const N: usize>(&self, ray: &Ray) -> Roots<N> {
+    fn each_root<const N: usize>(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
         let along = self.along::<N>(ray);
-        roots_between(&along.terms[..along.count], f64::NEG_INFINITY, f64::INFINITY)
+        // All along the line, so that a crossing is the same to the last bit whatever the range.
+        let line = [f64::NEG_INFINITY, f64::INFINITY];
+        each_root::<N>(&along.terms[..along.count], line, [range.min, range.max], found);
     }
 
-    /// Calls back with the distance of every crossing on the line, ascending, until told to stop.
-    fn walk(&self, ray: &Ray, mut found: impl FnMut(f64) -> bool) {
+    /// Calls back with the distance of every crossing in range, ascending, until told to stop.
+    fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
         let (shift, ray) = ray.moved_to(DVec3::ZERO);
-        let mut each = |roots: &[f64]| {
-            roots.iter().all(|t| found(self.polish(&ray, *t) + shift));
+        let beside = |end: f64| BESIDE * (end.abs() + shift.abs());
+        let near =
+            Range { min: range.min - shift - beside(range.min), max: range.max - shift + beside(range.max) };
+        let mut each = |t: f64| {
+            let t = self.polish(&ray, t) + shift;
+            t < range.max && (t <= range.min || found(t))
         };
         match self.degree {
-            ..=4 => each(self.roots::<5>(&ray).as_slice()),
-            5..=8 => each(self.roots::<9>(&ray).as_slice()),
-            _ => each(self.roots::<{ MAX_DEGREE + 1 }>(&ray).as_slice()),
+            ..=4 => self.each_root::<5>(&ray, near, &mut each),
+            5..=8 => self.each_root::<9>(&ray, near, &mut each),
+            _ => self.each_root::<{ MAX_DEGREE + 1 }>(&ray, near, &mut each),
         }
     }
 
@@ -166,19 +175,17 @@ impl Shape for Poly {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        self.walk(ray, |t| {
-            if range.contains(t) {
-                out.push(Crossing::new(t, 0));
-            }
+        self.walk(ray, range, |t| {
+            out.push(Crossing::new(t, 0));
             true
         });
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let mut nearest = None;
-        self.walk(ray, |t| {
-            nearest = range.contains(t).then(|| Crossing::new(t, 0));
-            nearest.is_none()
+        self.walk(ray, range, |t| {
+            nearest = Some(Crossing::new(t, 0));
+            false
         });
         nearest
     }

@@ -9,9 +9,39 @@ use crate::world::{Range, Ray};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Superellipsoid {
     /// 2 / e.
-    around: f64,
+    around: Exponent,
     /// 2 / n.
-    across: f64,
+    across: Exponent,
+}
+
+/// An exponent p, with the quickest ways to powers and roots.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Exponent {
+    p: f64,
+    inverse: f64,
+    /// p, where it is a whole number.
+    whole: Option<i32>,
+}
+
+impl Exponent {
+    fn new(p: f64) -> Self {
+        // Up to there products are as exact as they need to be.
+        let is_whole = p.fract() == 0.0 && p <= 64.0;
+        Self { p, inverse: 1.0 / p, whole: is_whole.then_some(p as i32) }
+    }
+
+    fn power(&self, x: f64) -> f64 {
+        self.whole.map_or_else(|| x.powf(self.p), |p| x.powi(p))
+    }
+
+    fn root(&self, x: f64) -> f64 {
+        match self.whole {
+            Some(1) => x,
+            Some(2) => x.sqrt(),
+            Some(4) => x.sqrt().sqrt(),
+            _ => x.powf(self.inverse),
+        }
+    }
 }
 
 /// The flattest exponent there is: a box to the last bit, and 0 needs no case of its own.
@@ -26,21 +56,21 @@ const NOISE: f64 = 8.0 * f64::EPSILON;
 impl Superellipsoid {
     /// From both exponents; `None` for a negative one, which POV-Ray never hits.
     pub fn new(east: f64, north: f64) -> Option<Self> {
-        let exponent = |e: f64| 2.0 / e.max(SHARPEST);
+        let exponent = |e: f64| Exponent::new(2.0 / e.max(SHARPEST));
         (east >= 0.0 && north >= 0.0).then(|| Self { around: exponent(east), across: exponent(north) })
     }
 
     /// The function minus 1, and its gradient. It is homogeneous of degree 1.
     fn value(&self, p: DVec3) -> (f64, DVec3) {
-        let (ring, [to_x, to_y]) = norm(p.x.abs(), p.y.abs(), self.around);
-        let (value, [to_ring, to_z]) = norm(ring, p.z.abs(), self.across);
+        let (ring, [to_x, to_y]) = norm(p.x.abs(), p.y.abs(), &self.around);
+        let (value, [to_ring, to_z]) = norm(ring, p.z.abs(), &self.across);
         let slope = DVec3::new(to_ring * to_x, to_ring * to_y, to_z);
         (value - 1.0, slope * DVec3::new(sign(p.x), sign(p.y), sign(p.z)))
     }
 
     /// Whether the solid is convex, and its function with it.
     fn is_convex(&self) -> bool {
-        self.around >= 1.0 && self.across >= 1.0
+        self.around.p >= 1.0 && self.across.p >= 1.0
     }
 
     /// Newton steps along a convex function from outside never pass its root; `None` once the slope
@@ -107,17 +137,17 @@ impl Superellipsoid {
 }
 
 /// (a^p + b^p)^(1/p) of two non-negative numbers, on their ratio so that nothing overflows, and its slopes.
-fn norm(a: f64, b: f64, p: f64) -> (f64, [f64; 2]) {
+fn norm(a: f64, b: f64, exponent: &Exponent) -> (f64, [f64; 2]) {
     let (large, small) = if a >= b { (a, b) } else { (b, a) };
     if large == 0.0 {
         return (0.0, [0.0, 0.0]);
     }
     let ratio = small / large;
-    let power = ratio.powf(p);
-    let factor = (1.0 + power).powf(1.0 / p);
+    let power = exponent.power(ratio);
+    let factor = exponent.root(1.0 + power);
     // d/d large and d/d small of large (1 + ratio^p)^(1/p).
     let outer = factor / (1.0 + power);
-    let inner = if small == 0.0 && p > 1.0 { 0.0 } else { outer * power / ratio };
+    let inner = if small == 0.0 && exponent.p > 1.0 { 0.0 } else { outer * power / ratio };
     let inner = if inner.is_finite() { inner } else { f64::MAX.sqrt() };
     (large * factor, if a >= b { [outer, inner] } else { [inner, outer] })
 }

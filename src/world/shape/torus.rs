@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::{Crossing, Shape};
-use crate::math::roots::{self, Roots};
+use crate::math::roots;
 use crate::math::{Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
@@ -19,6 +19,9 @@ pub struct Torus {
 /// How much larger than the torus the bounds are that clip the ray, so that a tangent ray isn't lost.
 const ROOM: f64 = 1.0 + 1e-9;
 
+/// How far beyond the ends of a range roots are looked for, in units of the torus' size.
+const BESIDE: f64 = 1e-6;
+
 /// Without the detour by which `hypot` avoids overflow.
 fn length(x: f64, y: f64) -> f64 {
     (x * x + y * y).sqrt()
@@ -26,7 +29,7 @@ fn length(x: f64, y: f64) -> f64 {
 
 impl Torus {
     /// The stretch of the ray in which roots are looked for, inside the slab and the sphere around.
-    fn clip(&self, ray: &Ray, speed: f64) -> Option<(f64, f64)> {
+    fn clip(&self, ray: &Ray, speed: f64) -> Option<[f64; 2]> {
         let radius = (self.major + self.minor) * ROOM;
         let square = radius * radius - ray.origin.length_squared();
         let half = square.sqrt() / speed;
@@ -36,11 +39,30 @@ impl Torus {
         let height = self.minor * ROOM;
         let (origin, direction) = (ray.origin.y, ray.direction.y);
         if direction == 0.0 {
-            return (origin.abs() <= height).then_some((-half, half));
+            return (origin.abs() <= height).then_some([-half, half]);
         }
         let (one, other) = ((-height - origin) / direction, (height - origin) / direction);
         let (low, high) = (one.min(other).max(-half), one.max(other).min(half));
-        (low <= high).then_some((low, high))
+        (low <= high).then_some([low, high])
+    }
+
+    /// The stretches in which the ray may meet the tube: what [`clip`](Self::clip) leaves, but for the cylinder
+    /// through the hole, which parts the near from the far side. One that ends before it starts is none.
+    fn stretches(&self, ray: &Ray, speed: f64) -> [[f64; 2]; 2] {
+        const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
+        let Some([low, high]) = self.clip(ray, speed) else {
+            return [NONE; 2];
+        };
+        let (o, d) = (ray.origin, ray.direction);
+        let hole = self.major - self.minor - (ROOM - 1.0) * (self.major + self.minor);
+        let along = o.x * d.x + o.z * d.z;
+        let steep = d.x * d.x + d.z * d.z;
+        let chord = along * along - steep * (o.x * o.x + o.z * o.z - hole * hole);
+        if hole <= 0.0 || chord <= 0.0 {
+            return [[low, high], NONE];
+        }
+        let half = chord.sqrt();
+        [[low, high.min((-along - half) / steep)], [low.max((half - along) / steep), high]]
     }
 
     /// The quartic along a ray whose origin is at its closest approach, in units of the ring's size and
@@ -66,27 +88,47 @@ impl Torus {
         ]
     }
 
-    /// Roots of the quartic along a ray that starts at its closest approach, with the shift to there.
-    fn roots(&self, ray: &Ray) -> Option<(f64, Ray, Roots<5>)> {
+    /// Calls back with the crossings in range, ascending, until told to stop.
+    fn each(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> bool) {
         let speed = ray.direction.length();
         let (shift, ray) = ray.moved_to(DVec3::ZERO);
-        let (low, high) = self.clip(&ray, speed)?;
+        let stretches = self.stretches(&ray, speed);
+        if stretches.iter().all(|[low, high]| low > high) {
+            return;
+        }
+        let quartic = self.quartic(&ray, speed);
         let unit = (self.major + self.minor) / speed;
-        let found = roots::roots_between(&self.quartic(&ray, speed), low / unit, high / unit);
-        Some((shift, ray, found.map(|t| t * unit)))
+        let wanted = [(range.min - shift) / unit - BESIDE, (range.max - shift) / unit + BESIDE];
+        let mut found = |root: f64| {
+            let (t, part) = self.polish(&ray, root * unit);
+            let t = t + shift;
+            t < range.max && (t <= range.min || found(Crossing::new(t, part)))
+        };
+        for [low, high] in stretches {
+            if low <= high && !roots::each_root::<5>(&quartic, [low / unit, high / unit], wanted, &mut found)
+            {
+                return;
+            }
+        }
     }
 
     /// Whether the ray meets the surface in `range`, as far as signs alone tell.
     fn is_met(&self, ray: &Ray, range: Range) -> Option<bool> {
         let speed = ray.direction.length();
         let (shift, ray) = ray.moved_to(DVec3::ZERO);
-        let Some((low, high)) = self.clip(&ray, speed) else { return Some(false) };
-        let (low, high) = (low.max(range.min - shift), high.min(range.max - shift));
-        if low >= high {
+        let ahead = |[low, high]: [f64; 2]| [low.max(range.min - shift), high.min(range.max - shift)];
+        let stretches = self.stretches(&ray, speed).map(ahead);
+        if stretches.iter().all(|[low, high]| low >= high) {
             return Some(false);
         }
+        let quartic = self.quartic(&ray, speed);
         let unit = (self.major + self.minor) / speed;
-        roots::any_between(&self.quartic(&ray, speed), low / unit, high / unit)
+        for [low, high] in stretches {
+            if low < high && roots::any_between(&quartic, low / unit, high / unit)? {
+                return Some(true);
+            }
+        }
+        Some(false)
     }
 
     /// One Newton step on the distance from the tube, whose cancellation is milder than the quartic's.
@@ -122,25 +164,19 @@ impl Shape for Torus {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        let Some((shift, ray, roots)) = self.roots(ray) else {
-            return;
-        };
-        for &root in roots.as_slice() {
-            let (t, part) = self.polish(&ray, root);
-            if range.contains(t + shift) {
-                out.push(Crossing::new(t + shift, part));
-            }
-        }
+        self.each(ray, range, |crossing| {
+            out.push(crossing);
+            true
+        });
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let (shift, ray, roots) = self.roots(ray)?;
-        roots
-            .as_slice()
-            .iter()
-            .map(|&root| self.polish(&ray, root))
-            .map(|(t, part)| Crossing::new(t + shift, part))
-            .find(|crossing| range.contains(crossing.t))
+        let mut nearest = None;
+        self.each(ray, range, |crossing| {
+            nearest = Some(crossing);
+            false
+        });
+        nearest
     }
 
     fn occludes(&self, ray: &Ray, range: Range) -> bool {
