@@ -15,6 +15,9 @@ const BINS: usize = 16;
 /// Centres of few items into as many slices as they are, but no fewer than this.
 const FEWEST_BINS: usize = 4;
 
+/// Up to so many items are few.
+const FEW: usize = 8;
+
 /// Below this depth parts are halved by count, which bounds the depth of the tree.
 const DEPTH_OF_HEURISTIC: u32 = 24;
 
@@ -159,10 +162,10 @@ fn parts(part: Part, depth: u32, plan: Plan) -> SmallVec<[Part; WIDTH]> {
             break;
         };
         let Part { first, items, .. } = parts.swap_remove(largest);
-        let (left, right) = split(items, depth);
-        let middle = first + left.len();
-        parts.push(Part { first, bounds: around(left), items: left });
-        parts.push(Part { first: middle, bounds: around(right), items: right });
+        let [left, right] = split(items, depth);
+        let middle = first + left.0.len();
+        parts.push(Part { first, bounds: left.1, items: left.0 });
+        parts.push(Part { first: middle, bounds: right.1, items: right.0 });
     }
     parts
 }
@@ -171,22 +174,32 @@ fn around(items: &[Item]) -> Bounds {
     items.iter().fold(Bounds::EMPTY, |all, item| all.union(item.bounds()))
 }
 
-/// Two parts, neither empty.
-fn split(items: &mut [Item], depth: u32) -> (&mut [Item], &mut [Item]) {
-    let centers = Bounds::of(items.iter().map(|item| item.center()));
-    let best = (depth < DEPTH_OF_HEURISTIC).then(|| best_cut(items, centers)).flatten();
-    let middle = match best {
-        Some(cut) => partition(items, |item| cut.bin(item.center()) < cut.bin),
-        None => {
-            let axis = centers.size().max_position();
-            let half = items.len() / 2;
-            items.select_nth_unstable_by(half, |a, b| {
-                a.center()[axis].total_cmp(&b.center()[axis]).then(a.number.cmp(&b.number))
-            });
-            half
-        }
+/// Two parts, neither empty, and the boxes around them.
+fn split(items: &mut [Item], depth: u32) -> [(&mut [Item], Bounds); 2] {
+    let mut centers = Bounds::EMPTY;
+    for item in &*items {
+        let center = item.center();
+        centers = Bounds { min: centers.min.min(center), max: centers.max.max(center) };
+    }
+    let best = match items.len() {
+        _ if depth >= DEPTH_OF_HEURISTIC => None,
+        ..=FEW => best_cut::<FEW>(items, centers),
+        _ => best_cut::<BINS>(items, centers),
     };
-    items.split_at_mut(middle)
+    if let Some(cut) = best {
+        let middle = partition(items, |item| cut.bin(item.center()) < cut.bin);
+        let (left, right) = items.split_at_mut(middle);
+        let [left_bounds, right_bounds] = cut.sides;
+        return [(left, left_bounds), (right, right_bounds)];
+    }
+    let axis = centers.size().max_position();
+    let half = items.len() / 2;
+    items.select_nth_unstable_by(half, |a, b| {
+        a.center()[axis].total_cmp(&b.center()[axis]).then(a.number.cmp(&b.number))
+    });
+    let (left, right) = items.split_at_mut(half);
+    let sides = [around(left), around(right)];
+    [(left, sides[0]), (right, sides[1])]
 }
 
 /// Between which slices of which axis to cut.
@@ -198,45 +211,65 @@ struct Cut {
     /// The number of the last slice.
     last: usize,
     bin: usize,
+    /// What is around both sides.
+    sides: [Bounds; 2],
 }
 
 impl Cut {
     fn bin(&self, center: DVec3) -> usize {
-        (((center[self.axis] - self.origin) * self.scale) as usize).min(self.last)
+        bin(center[self.axis], self.origin, self.scale, self.last)
     }
 }
 
+/// The number of the slice that a coordinate is in.
+#[inline(always)]
+fn bin(at: f64, origin: f64, scale: f64, last: usize) -> usize {
+    (((at - origin) * scale) as usize).min(last)
+}
+
 /// The cut with the least expected work; `None` where all centres coincide.
-fn best_cut(items: &[Item], centers: Bounds) -> Option<Cut> {
-    let mut best = None;
-    let mut least = f64::INFINITY;
-    let count = items.len().clamp(FEWEST_BINS, BINS);
-    for axis in 0..3 {
-        let scale = count as f64 / centers.size()[axis];
-        if !scale.is_finite() {
-            continue;
-        }
-        let cut = Cut { axis, origin: centers.min[axis], scale, last: count - 1, bin: 0 };
-        let mut bins = [(0usize, Bounds::EMPTY); BINS];
-        let bins = &mut bins[..count];
-        for item in items {
-            let (count, bounds) = &mut bins[cut.bin(item.center())];
+fn best_cut<const MOST: usize>(items: &[Item], centers: Bounds) -> Option<Cut> {
+    let count = items.len().clamp(FEWEST_BINS, MOST);
+    let (origin, last) = (centers.min, count - 1);
+    let scale = count as f64 / centers.size();
+    let mut bins = [[(0usize, Bounds::EMPTY); MOST]; 3];
+    for item in items {
+        let center = item.center();
+        let [x, y, z] = &mut bins;
+        // What has no size along an axis has no cut there, wherever it is counted.
+        for (bins, place) in [
+            (x, bin(center.x, origin.x, scale.x, last)),
+            (y, bin(center.y, origin.y, scale.y, last)),
+            (z, bin(center.z, origin.z, scale.z, last)),
+        ] {
+            let (count, bounds) = &mut bins[place % MOST];
             *count += 1;
             *bounds = bounds.union(item.bounds());
         }
+    }
+    let mut best = None;
+    let mut least = f64::INFINITY;
+    for axis in 0..3 {
+        if !scale[axis].is_finite() {
+            continue;
+        }
+        let bins = &bins[axis][..count];
         // The cost of everything to the right of each cut, then of everything to the left.
-        let mut right = [0.0; BINS];
+        let mut right = [0.0; MOST];
         sweep(bins.iter().copied().enumerate().rev(), |bin, cost| right[bin] = cost);
         sweep(bins.iter().copied().enumerate().take(count - 1), |bin, left| {
             let cost = left + right[bin + 1];
             // A side without items has no cost of its own and is no cut.
             if left > 0.0 && right[bin + 1] > 0.0 && cost < least {
                 least = cost;
-                best = Some(Cut { bin: bin + 1, ..cut });
+                best = Some((axis, bin + 1));
             }
         });
     }
-    best
+    let (axis, bin) = best?;
+    let (left, right) = bins[axis][..count].split_at(bin);
+    let sides = [left, right].map(|side| side.iter().fold(Bounds::EMPTY, |all, bin| all.union(bin.1)));
+    Some(Cut { axis, origin: origin[axis], scale: scale[axis], last, bin, sides })
 }
 
 /// Hands out the cost of all slices so far: their number of items times the area around them.

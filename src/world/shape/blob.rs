@@ -91,20 +91,18 @@ impl Part {
         if a * (c - 1.0) - b * b > CLEAR * a * c {
             return None;
         }
+        let (mut enter, mut leave, mut rest) = (f64::NEG_INFINITY, f64::INFINITY, 1.0 - c);
+        if a != 0.0 {
+            rest = 1.0 - (f - (b / a) * e).length_squared();
+            [enter, leave] = with_discriminant(a, b, c - 1.0, a * rest)?;
+        } else if c >= 1.0 {
+            return None;
+        }
         let [low, high] = self.ends;
-        let cut = if low == f64::NEG_INFINITY && high == f64::INFINITY {
-            Stretch::LINE
-        } else {
-            Stretch::slab((low, 0), (high, 0), o.z, d.z)?
-        };
-        let (span, rest) = if a == 0.0 {
-            ((c < 1.0).then_some(cut)?, 1.0 - c)
-        } else {
-            let rest = 1.0 - (f - (b / a) * e).length_squared();
-            let [enter, leave] = with_discriminant(a, b, c - 1.0, a * rest)?;
-            (cut.meet(Stretch::new(enter, 0, leave, 0)?)?, rest)
-        };
-        let (enter, leave) = (span.enter.t, span.leave.t);
+        if low > f64::NEG_INFINITY || high < f64::INFINITY {
+            let cut = Stretch::slab((low, 0), (high, 0), o.z, d.z)?;
+            (enter, leave) = (enter.max(cut.enter.t), leave.min(cut.leave.t));
+        }
         (enter < leave && leave.is_finite() && enter.is_finite()).then_some(Span {
             enter,
             leave,
@@ -218,13 +216,15 @@ impl Blob {
         let mut spans = SmallVec::<[Span; 16]>::new();
         let (mut peak, mut last) = (0.0, f64::NEG_INFINITY);
         // All along the line, so that a crossing is the same to the last bit whatever the range.
-        self.bvh.along(&ray, Range::LINE, |part| {
+        let reach = self.bounds.size().length() / ray.direction.length();
+        let line = if reach.is_finite() { Range { min: -reach, max: reach } } else { Range::LINE };
+        self.bvh.along(&ray, line, |part| {
             if let Some(span) = self.parts[part as usize].meet(&ray) {
                 peak += span.peak;
                 last = span.leave.max(last);
                 spans.push(span);
             }
-            f64::INFINITY
+            line.max
         });
         let sure = SURE * self.threshold.abs();
         if peak < self.threshold - sure {
