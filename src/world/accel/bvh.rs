@@ -285,7 +285,7 @@ impl Bvh {
     }
 
     /// See [`Accel::any_touching`](super::Accel::any_touching).
-    pub fn any_touching(&self, hull: &Hull, test: impl FnMut(u32) -> bool) -> bool {
+    pub fn any_touching(&self, hull: &Hull, mut test: impl FnMut(u32) -> bool) -> bool {
         if !hull.meets(&self.whole) {
             return false;
         }
@@ -294,12 +294,31 @@ impl Bvh {
             let is_touched = |lane: usize| node.children[lane] != u32::MAX && hull.meets(&node.bounds(lane));
             (0..WIDTH).fold(0, |mask, lane| mask | u32::from(is_touched(lane)) << lane)
         };
-        self.any_below(touched, test)
+        self.any_below(touched, |leaf| test(leaf & !LEAF))
     }
 
     /// See [`Accel::any_around`](super::Accel::any_around).
     #[inline(always)]
-    pub fn any_around(&self, point: DVec3, test: impl FnMut(u32) -> bool) -> bool {
+    pub fn any_around(&self, point: DVec3, mut test: impl FnMut(u32) -> bool) -> bool {
+        self.any_leaf_around(
+            point,
+            #[inline(always)]
+            |leaf| test(leaf & !LEAF),
+        )
+    }
+
+    /// As [`Bvh::any_around`], for runs of items.
+    #[inline(always)]
+    pub fn any_run_around(&self, point: DVec3, mut test: impl FnMut(Span<usize>) -> bool) -> bool {
+        self.any_leaf_around(
+            point,
+            #[inline(always)]
+            |leaf| test(run(leaf)),
+        )
+    }
+
+    #[inline(always)]
+    fn any_leaf_around(&self, point: DVec3, test: impl FnMut(u32) -> bool) -> bool {
         if !self.whole.contains(point) {
             return false;
         }
@@ -309,14 +328,14 @@ impl Bvh {
         self.any_below(|node| node.around(low, high), test)
     }
 
-    /// Whether `test` holds for any item below the children of which `near` gives the bits.
+    /// Whether `test` holds for any leaf below the children of which `near` gives the bits.
     #[inline(always)]
     fn any_below(&self, near: impl Fn(&Node) -> u32, mut test: impl FnMut(u32) -> bool) -> bool {
         let mut stack: SmallVec<[u32; STACK]> = SmallVec::new();
         stack.push(0);
         while let Some(child) = stack.pop() {
             if child & LEAF != 0 {
-                if test(child & !LEAF) {
+                if test(child) {
                     return true;
                 }
                 continue;

@@ -5,6 +5,7 @@ use smallvec::SmallVec;
 use super::stretch::Stretch;
 use super::{Crossing, OWN_TEXTURE, Shape};
 use crate::math::roots::{between, roots_between, with_discriminant};
+use crate::math::wide::widest;
 use crate::math::{Bounds, DAffine3, DMat3, DVec3, Transform};
 use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
@@ -160,6 +161,9 @@ impl Span {
     }
 }
 
+/// Parts that are asked one after the other.
+const RUN: usize = 4;
+
 /// How far beyond its ends a range is searched, as a share of the way to the blob's middle.
 const BESIDE: f64 = 1e-6;
 
@@ -174,6 +178,8 @@ impl Blob {
     pub fn new(mut parts: Vec<Part>, threshold: f64) -> Self {
         parts.retain(|part| part.strength != 0.0 && part.bounds.is_finite());
         let boxes = (0..).zip(&parts).map(|(number, part)| (part.bounds, number)).collect();
+        let (bvh, order) = Bvh::with_runs(boxes, RUN);
+        let parts: Vec<Part> = order.into_iter().map(|number| parts[number as usize].clone()).collect();
         let strong = parts.iter().filter(|part| part.strength > 0.0);
         let bounds = if threshold > 0.0 {
             strong.fold(Bounds::EMPTY, |all, part| all.union(part.bounds))
@@ -181,7 +187,7 @@ impl Blob {
             Bounds::ALL
         };
         let textured = parts.iter().any(|part| part.texture != OWN_TEXTURE);
-        Self { bvh: Bvh::new(boxes), parts, threshold, bounds, textured }
+        Self { bvh, parts, threshold, bounds, textured }
     }
 
     /// Strength at a point above the threshold, and the gradient.
@@ -196,11 +202,12 @@ impl Blob {
 
     /// Calls back with every part whose field reaches a point.
     fn around(&self, point: DVec3, mut found: impl FnMut(&Part, f64, DVec3)) {
-        self.bvh.any_around(point, |part| {
-            let part = &self.parts[part as usize];
-            let (field, gradient) = part.field(point);
-            if field != 0.0 {
-                found(part, field, gradient);
+        self.bvh.any_run_around(point, |run| {
+            for part in &self.parts[run] {
+                let (field, gradient) = part.field(point);
+                if field != 0.0 {
+                    found(part, field, gradient);
+                }
             }
             false
         });
@@ -218,14 +225,26 @@ impl Blob {
         // All along the line, so that a crossing is the same to the last bit whatever the range.
         let reach = self.bounds.size().length() / ray.direction.length();
         let line = if reach.is_finite() { Range { min: -reach, max: reach } } else { Range::LINE };
-        self.bvh.along(&ray, line, |part| {
-            if let Some(span) = self.parts[part as usize].meet(&ray) {
-                peak += span.peak;
-                last = span.leave.max(last);
-                spans.push(span);
-            }
-            line.max
-        });
+        widest(
+            #[inline(always)]
+            || {
+                self.bvh.runs_along(
+                    &ray,
+                    line,
+                    #[inline(always)]
+                    |run| {
+                        for part in &self.parts[run] {
+                            if let Some(span) = part.meet(&ray) {
+                                peak += span.peak;
+                                last = span.leave.max(last);
+                                spans.push(span);
+                            }
+                        }
+                        line.max
+                    },
+                );
+            },
+        );
         let sure = SURE * self.threshold.abs();
         if peak < self.threshold - sure {
             return;
