@@ -187,8 +187,8 @@ impl<const L: usize> Isolation<'_, L> {
 #[inline(always)]
 fn divided<const L: usize>(b: &[f64; L], share: f64) -> ([f64; L], [f64; L]) {
     let (mut left, mut right) = ([0.0; L], *b);
-    for i in 0..L {
-        left[i] = right[0];
+    for (i, first) in left.iter_mut().enumerate() {
+        *first = right[0];
         for j in 0..L - 1 - i {
             right[j] = (1.0 - share) * right[j] + share * right[j + 1];
         }

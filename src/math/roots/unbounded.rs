@@ -22,11 +22,11 @@ pub(super) fn bounds(c: &[f64]) -> (i32, i32) {
     // Exponents are above by up to 1, those divided by may be too small by as much.
     let rate = |above: i32, length: usize| -(-above - 1).div_euclid(length as i32);
     let (mut least, mut most) = (None, None);
-    for i in first..=last {
-        if c[i] == 0.0 {
+    for (i, c) in c.iter().enumerate().take(last + 1).skip(first) {
+        if *c == 0.0 {
             continue;
         }
-        let above = exponent(c[i]);
+        let above = exponent(*c);
         if i < last {
             most = most.max(Some(rate(above - high, last - i)));
         }
