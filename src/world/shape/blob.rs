@@ -177,7 +177,7 @@ impl Blob {
     /// From parts of any size. Parts without strength are left out.
     pub fn new(mut parts: Vec<Part>, threshold: f64) -> Self {
         parts.retain(|part| part.strength != 0.0 && part.bounds.is_finite());
-        let boxes = (0..).zip(&parts).map(|(number, part)| (part.bounds, number)).collect();
+        let boxes = (0..).zip(&parts).map(|(number, part)| (part.bounds, number));
         let (bvh, order) = Bvh::with_runs(boxes, RUN);
         let parts: Vec<Part> = order.into_iter().map(|number| parts[number as usize].clone()).collect();
         let strong = parts.iter().filter(|part| part.strength > 0.0);
