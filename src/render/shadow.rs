@@ -119,7 +119,8 @@ impl Tracer<'_> {
         let (ray, mut range) = way(from, at.surface.error, incident);
         if let Some(object) = light.projected_through {
             match self.world.geometry.object_distance(object, &ray, range) {
-                Some(distance) => range.max = distance,
+                // What light goes through is not in its own way.
+                Some(distance) => range.max = distance * (1.0 - LAST),
                 None => return Rgb::ZERO,
             }
             if light.shadowless {
