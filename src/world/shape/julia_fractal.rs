@@ -19,7 +19,7 @@ use hypercomplex::Function;
 /// The points of a slice through four dimensions that never leave a ball while a function with a
 /// constant added is applied to them again and again.
 ///
-/// That is where a function of the point isn't above zero: [`Orbit::excess`]. Where a high precision is asked for, it
+/// That is where a function of the point isn't above zero: `Orbit::excess`. Where a high precision is asked for, it
 /// is found as any such surface, by bands, so that no step is too long. Else it is marched towards as in POV-Ray.
 #[derive(Clone, Debug)]
 pub struct JuliaFractal {
