@@ -58,7 +58,7 @@ pub(crate) fn compare(probes: &[Probe], points: &str, count: usize) -> Vec<Worst
     let values = |program| printed(program, folder.path(), &scene, LIMIT).unwrap();
     let povray = Program::povray().unwrap_or_else(|error| panic!("{error}"));
     let povista = Program::povista().unwrap_or_else(|error| panic!("{error}"));
-    let (theirs, ours) = thread::scope(|scope| {
+    let (ours, theirs) = thread::scope(|scope| {
         let theirs = scope.spawn(|| values(&povray));
         (values(&povista), theirs.join().unwrap())
     });

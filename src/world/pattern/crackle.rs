@@ -311,8 +311,8 @@ impl Crackle {
         let offset = self.metric.offset(self.offset);
         let (form, mut sum) = (self.form.to_array(), 0.0);
         for place in 0..3 {
-            // What has no share needs no root.
-            if form[place] != 0.0 {
+            // What has no share needs no root, unless that is infinite and spoils the sum.
+            if form[place] != 0.0 || !self.metric.grows() {
                 sum += form[place] * self.metric.distance(sums[place] + offset);
             }
         }
