@@ -156,7 +156,7 @@ impl Flattener<'_> {
             primitive: settled.unwrap_or(compiled.primitive),
             reach: reach(extent, transform.as_deref()) as f32,
             transform,
-            bounds: Some(Box::new(extent.bounds)),
+            bounds: None,
             limits,
             parent: Numbered::NONE,
             flags,
@@ -168,15 +168,14 @@ impl Flattener<'_> {
             lights: own.lights,
             origin: self.flat.spans.len() as u32 - 1,
         };
-        leaf.bounds = Some(Box::new(self.narrowed(&leaf)));
+        leaf.bounds = Some(Box::new(self.narrowed(&leaf, extent)));
         self.flat.parts.leaves.push(leaf);
         Some(Member::Leaf(self.flat.parts.leaves.len() as u32 - 1))
     }
 
-    /// A box around what clips leave of a leaf.
-    fn narrowed(&self, leaf: &Leaf) -> Bounds {
+    /// A box around what clips leave of a leaf with this extent.
+    fn narrowed(&self, leaf: &Leaf, extent: Extent) -> Bounds {
         let clips = leaf.limits.as_ref().map_or(&[][..], |limits| &limits.clips);
-        let extent = leaf.extent();
         if clips.is_empty() || extent.beyond {
             return extent.bounds;
         }

@@ -4,6 +4,8 @@ pub mod band;
 pub mod bounds;
 pub mod color;
 pub mod confidence;
+#[cfg(test)]
+pub(crate) mod dice;
 pub mod gamma;
 pub mod hyperbolic;
 pub mod lanes;

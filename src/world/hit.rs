@@ -238,29 +238,28 @@ impl Geometry {
         !self.is_apart_from(number, hull.points())
     }
 
+    /// The leaf that is all of an object, where it is no compound.
+    fn lone(&self, number: u32) -> Option<&Leaf> {
+        match self.parts.objects[number as usize].member {
+            Member::Leaf(leaf) => Some(self.parts.leaf(leaf)),
+            Member::Group(_) => None,
+        }
+    }
+
     /// Whether it is known that no straight way between any two of the points meets an object.
     pub fn is_apart_from(&self, number: u32, points: &[DVec3]) -> bool {
-        match self.parts.objects[number as usize].member {
-            Member::Leaf(leaf) => self.parts.leaf(leaf).is_apart_from(points),
-            Member::Group(_) => false,
-        }
+        self.lone(number).is_some_and(|leaf| leaf.is_apart_from(points))
     }
 
     /// Whether a ray that leaves an object towards the outside won't meet it again.
     pub fn is_left_for_good(&self, number: u32) -> bool {
-        match self.parts.objects[number as usize].member {
-            Member::Leaf(leaf) => {
-                let leaf = self.parts.leaf(leaf);
-                leaf.is_convex() && !leaf.flags.intersects(LeafFlags::INVERTED | LeafFlags::REVERSED)
-            }
-            Member::Group(_) => false,
-        }
+        let turned = LeafFlags::INVERTED | LeafFlags::REVERSED;
+        self.lone(number).is_some_and(|leaf| leaf.is_convex() && !leaf.flags.intersects(turned))
     }
 
     /// The leaf of an object that is a convex solid through whose surface light passes unchanged.
     pub fn shell(&self, number: u32) -> Option<&Leaf> {
-        let Member::Leaf(leaf) = self.parts.objects[number as usize].member else { return None };
-        let leaf = self.parts.leaf(leaf);
+        let leaf = self.lone(number)?;
         let clear = leaf.flags.contains(LeafFlags::CLEAR) && !leaf.flags.contains(LeafFlags::OPAQUE);
         (clear && leaf.is_convex() && !leaf.hidden.intersects(RayKind::SHADOW)).then_some(leaf)
     }
@@ -277,12 +276,11 @@ impl Geometry {
     /// Whether the points of any line that an object hides from a lamp are next to each other: it is
     /// convex, opaque, and not around the lamp.
     pub fn hides_a_stretch(&self, number: u32, lamp: DVec3) -> bool {
-        let object = &self.parts.objects[number as usize];
-        let Member::Leaf(leaf) = object.member else { return false };
-        let Bounds { min, max } = self.parts.extent(object.member).bounds;
+        let Some(leaf) = self.lone(number) else { return false };
+        let Bounds { min, max } = leaf.extent().bounds;
         let room = ASIDE * (max - min);
-        object.opaque
-            && self.parts.leaf(leaf).is_convex()
+        self.parts.objects[number as usize].opaque
+            && leaf.is_convex()
             && !Bounds { min: min - room, max: max + room }.contains(lamp)
     }
 
@@ -302,10 +300,7 @@ impl Geometry {
         let mut is_shut = |number: u32| {
             let object = &self.parts.objects[number as usize];
             // A lone primitive that is soon asked needs no look at its box.
-            let plain = match object.member {
-                Member::Leaf(number) => self.parts.leaf(number).primitive.is_soon_asked(),
-                Member::Group(_) => false,
-            };
+            let plain = self.lone(number).is_some_and(|leaf| leaf.primitive.is_soon_asked());
             let near = || {
                 let bounds = &self.parts.extent(object.member).bounds;
                 !bounds.is_finite() || Slabs::new(ray).meet(bounds, range)

@@ -225,14 +225,11 @@ fn scale(transform: &Transform) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::dice::numbers;
 
     #[test]
     fn verdicts_are_those_of_the_balls() {
-        let mut state = 11_u64;
-        let mut number = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
-        };
+        let mut number = numbers(11);
         let mut seen = [0; 3];
         for _ in 0..20_000 {
             let mut point = || 4.0 * DVec3::new(number(), number(), number());
@@ -253,11 +250,7 @@ mod tests {
 
     #[test]
     fn verdicts_on_a_bundle_are_those_on_its_ways() {
-        let mut state = 17_u64;
-        let mut number = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
-        };
+        let mut number = numbers(17);
         let mut seen = [0; 3];
         for _ in 0..4000 {
             let mut point = || 4.0 * DVec3::new(number(), number(), number());

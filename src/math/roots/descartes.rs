@@ -210,15 +210,12 @@ fn far_side<const L: usize>(b: &[f64; L]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::dice::numbers;
     use crate::math::roots::roots_between;
 
     #[test]
     fn whether_there_is_a_root_agrees_with_the_roots() {
-        let mut state = 5_u64;
-        let mut number = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
-        };
+        let mut number = numbers(5);
         let mut seen = [0; 3];
         for _ in 0..20_000 {
             let c: [f64; 5] = std::array::from_fn(|_| number());

@@ -6,7 +6,7 @@ use crate::math::{DVec3, Rgb};
 use crate::render::shadow::{self, Target};
 use crate::render::trace::Tracer;
 use crate::world::hit::Among;
-use crate::world::light::{Incident, is_dark};
+use crate::world::light::Incident;
 use crate::world::screen::{OPEN, SHUT, UNKNOWN};
 use crate::world::{Intersection, Light};
 
@@ -125,8 +125,7 @@ impl Tracer<'_> {
             && let Some(length) = geometry.way_out(*object, &ray, range)
         {
             self.statistics.shadow_rays += 1;
-            let color = incident.color * transmittance(depth * length as f32);
-            if is_dark(incident.color) { Rgb::ZERO } else { color }
+            incident.color * transmittance(depth * length as f32)
         } else {
             self.in_space(march, point, beam, incident, Some(Among::Near(&near)))
         };

@@ -54,14 +54,11 @@ pub(super) fn shade(bounds: &Bounds, ray: &Ray, lamp: DVec3) -> Option<Range> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::dice::numbers;
 
     #[test]
     fn a_point_that_a_box_may_darken_is_never_left_out() {
-        let mut state = 3_u64;
-        let mut number = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
-        };
+        let mut number = numbers(3);
         let (mut bounded, mut never) = (0, 0);
         for _ in 0..4000 {
             let mut point = || 4.0 * DVec3::new(number(), number(), number());

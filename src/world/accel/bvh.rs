@@ -62,13 +62,8 @@ impl Way {
 }
 
 impl Bvh {
-    /// Takes items, all bounded, and asks about them by the numbers they have.
-    pub fn new(items: Vec<(Bounds, u32)>) -> Self {
-        Self::over(items)
-    }
-
-    /// The same, where the items are made one after the other; twice.
-    pub(super) fn over<I: IntoIterator<Item = (Bounds, u32), IntoIter: Clone>>(items: I) -> Self {
+    /// Takes items, all bounded, and asks about them by the numbers they have. They are gone through twice.
+    pub fn new<I: IntoIterator<Item = (Bounds, u32), IntoIter: Clone>>(items: I) -> Self {
         let (mut bvh, order) = Self::with_runs(items, 1);
         let leaves = bvh.nodes.iter_mut().flat_map(|node| &mut node.children);
         for child in leaves.filter(|child| **child & LEAF != 0 && **child != u32::MAX) {

@@ -82,14 +82,11 @@ mod tests {
     use smallvec::smallvec;
 
     use super::*;
+    use crate::math::dice::numbers;
 
     #[test]
     fn a_box_that_a_segment_of_the_triangle_meets_is_never_missed() {
-        let mut state = 7_u64;
-        let mut number = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
-        };
+        let mut number = numbers(7);
         let mut missed = 0;
         for _ in 0..2000 {
             let mut point = || DVec3::new(number(), number(), number());

@@ -46,8 +46,8 @@ impl Accel {
             count += 1;
         }
         match kind {
-            Accelerator::Auto if bounded && count > FEW => Self::Bvh(Bvh::over(items)),
-            Accelerator::Bvh if bounded && count > 0 => Self::Bvh(Bvh::over(items)),
+            Accelerator::Auto if bounded && count > FEW => Self::Bvh(Bvh::new(items)),
+            Accelerator::Bvh if bounded && count > 0 => Self::Bvh(Bvh::new(items)),
             Accelerator::Octree if bounded && count > 0 => Self::Octree(Octree::new(items.collect())),
             _ => Self::Linear(Linear::new(items.collect())),
         }

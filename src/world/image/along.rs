@@ -8,7 +8,7 @@ use crate::math::{Band, Lanes, Rgb, Rgbft};
 use crate::world::warp::mapping::{around_tube_along, height_along, turn_along};
 
 /// A number made of a colour; linear.
-type Of<'a> = &'a dyn Fn(&Rgbft) -> f64;
+pub(crate) type Of<'a> = &'a dyn Fn(&Rgbft) -> f64;
 
 /// More than single precision takes from a colour's components, as a share of the largest.
 pub(crate) const ROUNDING: f64 = 4.0 * f32::EPSILON as f64;

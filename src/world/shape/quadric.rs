@@ -271,6 +271,7 @@ impl Shape for Quadric {
 mod tests {
     use super::super::battery::{battery, oracle, table};
     use super::*;
+    use crate::math::dice::numbers;
 
     /// An ellipsoid of about `size` at `at`, or the paraboloid or hyperboloid with other signs.
     fn central(squares: DVec3, size: f64, at: DVec3) -> Quadric {
@@ -383,11 +384,7 @@ mod tests {
 
     #[test]
     fn no_point_inside_is_outside_of_the_box() {
-        let mut state = 5_u64;
-        let mut number = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
-        };
+        let mut number = numbers(5);
         let mut narrowed = 0;
         for _ in 0..2000 {
             let mut point = || DVec3::new(number(), number(), number());

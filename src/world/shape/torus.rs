@@ -213,6 +213,7 @@ impl Shape for Torus {
 mod tests {
     use super::super::battery::{self, battery, table};
     use super::*;
+    use crate::math::dice::numbers;
 
     battery! {
         ring: |size| Torus { major: 0.75 * size, minor: 0.25 * size };
@@ -271,11 +272,7 @@ mod tests {
     #[test]
     fn signs_tell_of_every_surface_in_a_range() {
         let ring = Torus { major: 0.75, minor: 0.25 };
-        let mut state = 9_u64;
-        let mut number = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
-        };
+        let mut number = numbers(9);
         let (mut met, mut met_again) = (0, 0);
         for _ in 0..20_000 {
             let mut point = || 2.0 * DVec3::new(number(), number(), number());

@@ -7,12 +7,9 @@ use std::sync::Arc;
 use super::{BlendMap, Pigment};
 use crate::math::Band;
 use crate::math::{Lanes, Rgbft};
-use crate::world::image::along::ROUNDING;
+use crate::world::image::along::{Of, ROUNDING};
 use crate::world::pattern::Pattern;
 use crate::world::sample::Field;
-
-/// A number made of a colour; linear.
-pub(super) type Of<'a> = &'a dyn Fn(&Rgbft) -> f64;
 
 impl Pigment {
     /// Whether [`Pigment::along`] says something.
