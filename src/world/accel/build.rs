@@ -2,12 +2,12 @@
 //! the least work. Nodes are made eight wide at once: the part with the largest area is split
 //! until there are eight.
 
-use glam::Vec3;
+use glam::{Vec3, Vec3A};
 use rayon::prelude::*;
 use smallvec::SmallVec;
 
 use super::node::{Node, WIDTH};
-use crate::math::{Bounds, DVec3};
+use crate::math::wide::widest;
 
 /// Centres of many items are sorted into this many slices along each axis.
 const BINS: usize = 16;
@@ -44,12 +44,40 @@ pub(super) struct Item {
 }
 
 impl Item {
-    pub(super) fn bounds(&self) -> Bounds {
-        Bounds { min: self.low.as_dvec3(), max: self.high.as_dvec3() }
+    #[inline(always)]
+    pub(super) fn around(&self) -> Around {
+        Around { low: self.low.into(), high: self.high.into() }
     }
 
-    fn center(&self) -> DVec3 {
-        self.bounds().center()
+    /// Twice its middle: where to cut is asked of sums alone.
+    #[inline(always)]
+    fn place(&self) -> Vec3A {
+        Vec3A::from(self.low) + Vec3A::from(self.high)
+    }
+}
+
+/// A box in single precision.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Around {
+    pub(super) low: Vec3A,
+    pub(super) high: Vec3A,
+}
+
+impl Around {
+    /// Nothing.
+    pub(super) const NOTHING: Self = Self { low: Vec3A::INFINITY, high: Vec3A::NEG_INFINITY };
+
+    /// The box around both.
+    #[inline(always)]
+    pub(super) fn union(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// Half its surface. Boxes may be so small that single precision has no number for it.
+    #[inline(always)]
+    fn half_area(self) -> f64 {
+        let size = (self.high - self.low).as_dvec3();
+        size.x * size.y + size.y * size.z + size.z * size.x
     }
 }
 
@@ -66,7 +94,7 @@ pub(super) enum Child {
 struct Part<'a> {
     first: usize,
     items: &'a mut [Item],
-    bounds: Bounds,
+    bounds: Around,
 }
 
 /// How a tree is to be.
@@ -82,7 +110,7 @@ struct Plan {
 /// leaves, runs of up to `longest`, count them.
 pub(super) fn tree<F>(items: &mut [Item], longest: usize, node: &F) -> Vec<Node>
 where
-    F: Fn(&[(Bounds, Child)]) -> Node + Sync,
+    F: Fn(&[(Around, Child)]) -> Node + Sync,
 {
     let bounds = around(items);
     let whole = if longest == 1 && items.len() > VERY_MANY { WIDTH } else { longest };
@@ -95,16 +123,16 @@ where
 /// that are built beside others.
 fn grow<F>(part: Part, [depth, beside]: [u32; 2], plan: Plan, node: &F, nodes: &mut Vec<Node>) -> u32
 where
-    F: Fn(&[(Bounds, Child)]) -> Node + Sync,
+    F: Fn(&[(Around, Child)]) -> Node + Sync,
 {
     let number = nodes.len();
     let many = (MANY..VERY_MANY).contains(&part.items.len()) && beside < LEVELS_BESIDE;
     let beside = beside + u32::from(many);
     let parts = parts(part, depth, plan);
-    let mut children: SmallVec<[(Bounds, Child); WIDTH]> = SmallVec::new();
+    let mut children: SmallVec<[(Around, Child); WIDTH]> = SmallVec::new();
     // Its place is taken before its children's.
     nodes.push(Node::EMPTY);
-    let subtrees: Vec<(Bounds, Result<Child, Vec<Node>>)> = if many {
+    let subtrees: Vec<(Around, Result<Child, Vec<Node>>)> = if many {
         let grown = |part: Part| {
             let bounds = part.bounds;
             let child = leaf(&part, plan).ok_or_else(|| {
@@ -149,7 +177,7 @@ fn parts(part: Part, depth: u32, plan: Plan) -> SmallVec<[Part; WIDTH]> {
     let mut parts = SmallVec::new();
     if plan.longest == 1 && part.items.len() <= WIDTH {
         for (place, items) in part.items.chunks_mut(1).enumerate() {
-            parts.push(Part { first: part.first + place, bounds: items[0].bounds(), items });
+            parts.push(Part { first: part.first + place, bounds: items[0].around(), items });
         }
         return parts;
     }
@@ -170,117 +198,133 @@ fn parts(part: Part, depth: u32, plan: Plan) -> SmallVec<[Part; WIDTH]> {
     parts
 }
 
-fn around(items: &[Item]) -> Bounds {
-    items.iter().fold(Bounds::EMPTY, |all, item| all.union(item.bounds()))
+fn around(items: &[Item]) -> Around {
+    items.iter().fold(Around::NOTHING, |all, item| all.union(item.around()))
 }
 
 /// Two parts, neither empty, and the boxes around them.
-fn split(items: &mut [Item], depth: u32) -> [(&mut [Item], Bounds); 2] {
-    let mut centers = Bounds::EMPTY;
-    for item in &*items {
-        let center = item.center();
-        centers = Bounds { min: centers.min.min(center), max: centers.max.max(center) };
-    }
+fn split(items: &mut [Item], depth: u32) -> [(&mut [Item], Around); 2] {
+    let places = places(items);
     let best = match items.len() {
         _ if depth >= DEPTH_OF_HEURISTIC => None,
-        ..=FEW => best_cut::<FEW>(items, centers),
-        _ => best_cut::<BINS>(items, centers),
+        ..=FEW => best_cut::<FEW>(items, places),
+        _ => best_cut::<BINS>(items, places),
     };
     if let Some(cut) = best {
-        let middle = partition(items, |item| cut.bin(item.center()) < cut.bin);
+        let middle = partition(items, |item| cut.bin(item.place()) < cut.bin);
         let (left, right) = items.split_at_mut(middle);
         let [left_bounds, right_bounds] = cut.sides;
         return [(left, left_bounds), (right, right_bounds)];
     }
-    let axis = centers.size().max_position();
+    let axis = (places.high - places.low).max_position();
     let half = items.len() / 2;
     items.select_nth_unstable_by(half, |a, b| {
-        a.center()[axis].total_cmp(&b.center()[axis]).then(a.number.cmp(&b.number))
+        a.place()[axis].total_cmp(&b.place()[axis]).then(a.number.cmp(&b.number))
     });
     let (left, right) = items.split_at_mut(half);
     let sides = [around(left), around(right)];
     [(left, sides[0]), (right, sides[1])]
 }
 
+/// What is around the places of items.
+fn places(items: &[Item]) -> Around {
+    items.iter().fold(Around::NOTHING, |all, item| {
+        let place = item.place();
+        all.union(Around { low: place, high: place })
+    })
+}
+
 /// Between which slices of which axis to cut.
 #[derive(Clone, Copy)]
 struct Cut {
     axis: usize,
-    origin: f64,
-    scale: f64,
-    /// The number of the last slice.
-    last: usize,
+    slices: Slices,
     bin: usize,
     /// What is around both sides.
-    sides: [Bounds; 2],
+    sides: [Around; 2],
 }
 
 impl Cut {
-    fn bin(&self, center: DVec3) -> usize {
-        bin(center[self.axis], self.origin, self.scale, self.last)
+    #[inline(always)]
+    fn bin(&self, place: Vec3A) -> usize {
+        self.slices.of(place)[self.axis]
     }
 }
 
-/// The number of the slice that a coordinate is in.
-#[inline(always)]
-fn bin(at: f64, origin: f64, scale: f64, last: usize) -> usize {
-    (((at - origin) * scale) as usize).min(last)
+/// Slices of equal width along each axis.
+#[derive(Clone, Copy)]
+struct Slices {
+    origin: Vec3A,
+    scale: Vec3A,
+    /// The number of the last one.
+    last: Vec3A,
 }
 
-/// The cut with the least expected work; `None` where all centres coincide.
-fn best_cut<const MOST: usize>(items: &[Item], centers: Bounds) -> Option<Cut> {
-    let count = items.len().clamp(FEWEST_BINS, MOST);
-    let (origin, last) = (centers.min, count - 1);
-    let scale = count as f64 / centers.size();
-    let mut bins = [[(0usize, Bounds::EMPTY); MOST]; 3];
-    for item in items {
-        let center = item.center();
-        let [x, y, z] = &mut bins;
-        // What has no size along an axis has no cut there, wherever it is counted.
-        for (bins, place) in [
-            (x, bin(center.x, origin.x, scale.x, last)),
-            (y, bin(center.y, origin.y, scale.y, last)),
-            (z, bin(center.z, origin.z, scale.z, last)),
-        ] {
-            let (count, bounds) = &mut bins[place % MOST];
-            *count += 1;
-            *bounds = bounds.union(item.bounds());
-        }
+impl Slices {
+    /// The numbers of the slices that a place is in. What has no size along an axis is all in the same.
+    #[inline(always)]
+    fn of(&self, place: Vec3A) -> [usize; 3] {
+        let numbers = ((place - self.origin) * self.scale).min(self.last).max(Vec3A::ZERO);
+        [numbers.x as usize, numbers.y as usize, numbers.z as usize]
     }
-    let mut best = None;
-    let mut least = f64::INFINITY;
-    for axis in 0..3 {
-        if !scale[axis].is_finite() {
-            continue;
-        }
-        let bins = &bins[axis][..count];
-        // The cost of everything to the right of each cut, then of everything to the left.
-        let mut right = [0.0; MOST];
-        sweep(bins.iter().copied().enumerate().rev(), |bin, cost| right[bin] = cost);
-        sweep(bins.iter().copied().enumerate().take(count - 1), |bin, left| {
-            let cost = left + right[bin + 1];
-            // A side without items has no cost of its own and is no cut.
-            if left > 0.0 && right[bin + 1] > 0.0 && cost < least {
-                least = cost;
-                best = Some((axis, bin + 1));
+}
+
+/// The cut with the least expected work; `None` where all places coincide.
+fn best_cut<const MOST: usize>(items: &[Item], places: Around) -> Option<Cut> {
+    widest(
+        #[inline(always)]
+        || {
+            let count = items.len().clamp(FEWEST_BINS, MOST);
+            let scale = count as f32 / (places.high - places.low);
+            let slices = Slices { origin: places.low, scale, last: Vec3A::splat((count - 1) as f32) };
+            let mut bins = [[(0usize, Around::NOTHING); MOST]; 3];
+            for item in items {
+                let (numbers, around) = (slices.of(item.place()), item.around());
+                for axis in 0..3 {
+                    let (count, bounds) = &mut bins[axis][numbers[axis] % MOST];
+                    *count += 1;
+                    *bounds = bounds.union(around);
+                }
             }
-        });
-    }
-    let (axis, bin) = best?;
-    let (left, right) = bins[axis][..count].split_at(bin);
-    let sides = [left, right].map(|side| side.iter().fold(Bounds::EMPTY, |all, bin| all.union(bin.1)));
-    Some(Cut { axis, origin: origin[axis], scale: scale[axis], last, bin, sides })
+            let mut best = None;
+            let mut least = f64::INFINITY;
+            for axis in 0..3 {
+                if !scale[axis].is_finite() {
+                    continue;
+                }
+                let bins = &bins[axis][..count];
+                // The cost of everything to the right of each cut, then of everything to the left.
+                let mut right = [0.0; MOST];
+                let mut all = (0, Around::NOTHING);
+                for bin in (1..count).rev() {
+                    right[bin] = cost(&mut all, bins[bin]);
+                }
+                let mut all = (0, Around::NOTHING);
+                for bin in 1..count {
+                    let left = cost(&mut all, bins[bin - 1]);
+                    // A side without items has no cost of its own and is no cut.
+                    if left > 0.0 && right[bin] > 0.0 && left + right[bin] < least {
+                        least = left + right[bin];
+                        best = Some((axis, bin));
+                    }
+                }
+            }
+            let (axis, bin) = best?;
+            let (left, right) = bins[axis][..count].split_at(bin);
+            let sides =
+                [left, right].map(|side| side.iter().fold(Around::NOTHING, |all, bin| all.union(bin.1)));
+            Some(Cut { axis, slices, bin, sides })
+        },
+    )
 }
 
-/// Hands out the cost of all slices so far: their number of items times the area around them.
-fn sweep(bins: impl Iterator<Item = (usize, (usize, Bounds))>, mut cost: impl FnMut(usize, f64)) {
-    let (mut count, mut bounds) = (0, Bounds::EMPTY);
-    for (bin, (more, around)) in bins {
-        count += more;
-        bounds = bounds.union(around);
-        // Flat boxes have no area but still cost a test.
-        cost(bin, if count == 0 { 0.0 } else { count as f64 * bounds.half_area().max(f64::MIN_POSITIVE) });
-    }
+/// Adds a slice to others and answers the cost of them all: their number of items times the area around them.
+#[inline(always)]
+fn cost(all: &mut (usize, Around), (more, around): (usize, Around)) -> f64 {
+    all.0 += more;
+    all.1 = all.1.union(around);
+    // Flat boxes have no area but still cost a test.
+    if all.0 == 0 { 0.0 } else { all.0 as f64 * all.1.half_area().max(f64::MIN_POSITIVE) }
 }
 
 /// Moves the items that pass to the front and counts them.

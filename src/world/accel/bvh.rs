@@ -9,7 +9,7 @@ use std::ops::Range as Span;
 use smallvec::SmallVec;
 
 use super::Hull;
-use super::build::{self, Item};
+use super::build::{self, Around, Item};
 use super::linear::Slabs;
 use super::node::{NEAR, Node, Probe, SLACK, WIDTH};
 use crate::math::{Bounds, DVec3, tally};
@@ -105,7 +105,7 @@ impl Bvh {
     }
 
     /// Appends the node over a part of a grid; answers its box and number.
-    fn grow(&mut self, boxes: &[Bounds], width: usize, part: [Span<usize>; 2]) -> (Bounds, build::Child) {
+    fn grow(&mut self, boxes: &[Bounds], width: usize, part: [Span<usize>; 2]) -> (Around, build::Child) {
         let mut parts = SmallVec::<[[Span<usize>; 2]; WIDTH]>::new();
         parts.push(part);
         while parts.len() < WIDTH {
@@ -129,12 +129,12 @@ impl Bvh {
         let number = self.nodes.len();
         // Its place is taken before its children's.
         self.nodes.push(Node::EMPTY);
-        let mut around = Bounds::EMPTY;
-        let mut children = SmallVec::<[(Bounds, build::Child); WIDTH]>::new();
+        let mut around = Around::NOTHING;
+        let mut children = SmallVec::<[(Around, build::Child); WIDTH]>::new();
         for [columns, rows] in parts {
             let child = if columns.len() * rows.len() == 1 {
                 let item = rows.start * width + columns.start;
-                let bounds = self.item(boxes[item], item as u32).bounds();
+                let bounds = self.item(boxes[item], item as u32).around();
                 (bounds, build::Child::Run { first: item as u32, length: 1 })
             } else {
                 self.grow(boxes, width, [columns, rows])
@@ -347,15 +347,14 @@ impl Bvh {
 }
 
 /// The node of up to [`WIDTH`] children and their boxes.
-fn node(children: &[(Bounds, build::Child)]) -> Node {
+fn node(children: &[(Around, build::Child)]) -> Node {
     let mut node = Node::EMPTY;
     for (lane, (bounds, child)) in children.iter().enumerate() {
         let child = match *child {
             build::Child::Node(number) => number,
             build::Child::Run { first, length } => LEAF | (length - 1) << LENGTH | first,
         };
-        // These are numbers in single precision already.
-        node.set(lane, child, bounds.min.as_vec3().to_array(), bounds.max.as_vec3().to_array());
+        node.set(lane, child, bounds.low.to_array(), bounds.high.to_array());
     }
     node
 }
