@@ -89,20 +89,53 @@ impl Sheared {
         )
     }
 
-    /// The bits of those of up to `N` triangles that the ray may meet; the others it misses surely.
+    /// The bits of those of `N` triangles that the ray may meet; the others it misses surely.
     /// The same test as in [`Sheared::meet`], side by side, but that no sign is made exact.
     #[inline(always)]
-    pub(super) fn may_meet<const N: usize>(&self, triangles: impl Iterator<Item = [DVec3; 3]>) -> u32 {
+    pub(super) fn may_meet<const N: usize>(&self, triangles: &[[DVec3; 3]; N]) -> u32 {
+        // Which axis is which is asked once, not of each corner.
+        match self.axes[2] {
+            0 => self.may_meet_along(
+                triangles,
+                #[inline(always)]
+                |p| [p.y, p.z, p.x],
+            ),
+            1 => self.may_meet_along(
+                triangles,
+                #[inline(always)]
+                |p| [p.z, p.x, p.y],
+            ),
+            _ => self.may_meet_along(
+                triangles,
+                #[inline(always)]
+                |p| [p.x, p.y, p.z],
+            ),
+        }
+    }
+
+    /// The same for a ray that runs along the last of the axes `order` gives.
+    #[inline(always)]
+    fn may_meet_along<const N: usize>(
+        &self,
+        triangles: &[[DVec3; 3]; N],
+        order: impl Fn(DVec3) -> [f64; 3],
+    ) -> u32 {
+        let [origin_x, origin_y, origin_z] = order(self.origin);
+        // Both axes change places where the ray runs backward, which no answer here depends on.
+        let turned = self.axes[0] != (self.axes[2] + 1) % 3;
+        let (shear_x, shear_y) =
+            if turned { (self.shear.y, self.shear.x) } else { (self.shear.x, self.shear.y) };
         let mut lanes = [[[0.0; N]; 2]; 3];
-        let mut used = 0;
-        for (lane, corners) in triangles.take(N).enumerate() {
-            for (side, corner) in corners.into_iter().enumerate() {
-                let [x, y, z] = self.axes;
-                let from = (corner - self.origin).to_array();
-                lanes[side][0][lane] = from[x] - self.shear.x * from[z];
-                lanes[side][1][lane] = from[y] - self.shear.y * from[z];
+        for side in 0..3 {
+            let mut at = [[0.0; N]; 3];
+            for lane in 0..N {
+                [at[0][lane], at[1][lane], at[2][lane]] = order(triangles[lane][side]);
             }
-            used |= 1 << lane;
+            for lane in 0..N {
+                let along = at[2][lane] - origin_z;
+                lanes[side][0][lane] = at[0][lane] - origin_x - shear_x * along;
+                lanes[side][1][lane] = at[1][lane] - origin_y - shear_y * along;
+            }
         }
         let (mut below, mut above) = ([false; N], [false; N]);
         for (from, to) in [(1, 2), (2, 0), (0, 1)] {
@@ -114,7 +147,7 @@ impl Sheared {
                 above[lane] |= one - other > doubt;
             }
         }
-        (0..N).fold(0, |mask, lane| mask | u32::from(!(below[lane] && above[lane])) << lane) & used
+        (0..N).fold(0, |mask, lane| mask | u32::from(!(below[lane] && above[lane])) << lane)
     }
 
     #[inline(always)]

@@ -129,11 +129,11 @@ impl Mesh {
                     #[inline(always)]
                     |run| {
                         tally::primitives(run.len());
-                        let faces = run.clone().map(
-                            #[inline(always)]
-                            |face| self.corners(face as u32),
-                        );
-                        let mut candidates = sheared.may_meet::<RUN>(faces);
+                        let mut faces = [[DVec3::ZERO; 3]; RUN];
+                        for (lane, face) in faces.iter_mut().enumerate() {
+                            *face = self.corners((run.start + lane).min(run.end - 1) as u32);
+                        }
+                        let mut candidates = sheared.may_meet(&faces) & ((1 << run.len()) - 1);
                         while candidates != 0 {
                             let face = (run.start + candidates.trailing_zeros() as usize) as u32;
                             candidates &= candidates - 1;
