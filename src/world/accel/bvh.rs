@@ -212,10 +212,8 @@ impl Bvh {
             } else {
                 let node = &self.nodes[next as usize];
                 tally::boxes(WIDTH);
-                let ([near, more_near], mut met) = way.probe.test(node, far);
+                let (near, mut met) = way.probe.test(node, far);
                 if met != 0 {
-                    let ([a, b, c, d], [e, f, g, h]) = (near.to_array(), more_near.to_array());
-                    let near = [a, b, c, d, e, f, g, h];
                     let mut nearest = take(&near, node, &mut met);
                     let bottom = count;
                     while met != 0 {

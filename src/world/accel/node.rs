@@ -22,7 +22,7 @@ const LEAST_SPAN: Vec4 = Vec4::new(1e-3, 1e-3, 1e-3, f32::INFINITY);
 const GREATEST_SPAN: Vec4 = Vec4::splat(1e3);
 
 /// One number of each child of a node, side by side.
-pub(super) type Lanes = [Vec4; 2];
+pub(super) type Lanes = [f32; WIDTH];
 
 /// Missing children have empty boxes.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ pub(super) struct Node {
 impl Node {
     /// No children yet.
     pub(super) const EMPTY: Self = {
-        let axis = [[Vec4::INFINITY; 2], [Vec4::NEG_INFINITY; 2]];
+        let axis = [[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]];
         Self { faces: [axis; 3], children: [u32::MAX; WIDTH] }
     };
 
@@ -44,15 +44,15 @@ impl Node {
     pub(super) fn set(&mut self, lane: usize, child: u32, low: [f32; 3], high: [f32; 3]) {
         self.children[lane] = child;
         for axis in 0..3 {
-            self.faces[axis][0][lane / 4][lane % 4] = low[axis];
-            self.faces[axis][1][lane / 4][lane % 4] = high[axis];
+            self.faces[axis][0][lane] = low[axis];
+            self.faces[axis][1][lane] = high[axis];
         }
     }
 
     /// The box of a child, empty where there is none.
     pub(super) fn bounds(&self, lane: usize) -> Bounds {
         let corner = |side: usize| {
-            let [x, y, z] = self.faces.map(|faces| f64::from(faces[side][lane / 4][lane % 4]));
+            let [x, y, z] = self.faces.map(|faces| f64::from(faces[side][lane]));
             DVec3::new(x, y, z)
         };
         Bounds { min: corner(0), max: corner(1) }
@@ -73,8 +73,10 @@ impl Node {
         for axis in 0..3 {
             let [first, last] = &self.faces[axis];
             let (low, high) = (Vec4::splat(low[axis]), Vec4::splat(high[axis]));
-            let within = |half: usize| (first[half].cmple(high) & last[half].cmpge(low)).bitmask();
-            around &= within(0) | within(1) << 4;
+            let ([first, more_first], [last, more_last]) = (halves(first), halves(last));
+            let within = first.cmple(high) & last.cmpge(low);
+            let more_within = more_first.cmple(high) & more_last.cmpge(low);
+            around &= within.bitmask() | more_within.bitmask() << 4;
         }
         around
     }
@@ -127,23 +129,31 @@ impl Probe {
     /// Entry distances, none negative, and the bits of the boxes met before `far`.
     #[inline(always)]
     pub(super) fn test(&self, node: &Node, far: f32) -> (Lanes, u32) {
-        let (mut entry, mut exit) = ([Vec4::ZERO; 2], [Vec4::splat(far); 2]);
+        let (mut entry, mut exit) = ([0.0; WIDTH], [far; WIDTH]);
         let (starts, ends) = (self.near.to_array(), self.far.to_array());
         let inverses = self.inverse.to_array();
-        // Loops throughout: closures given to arrays' methods are not compiled for wide registers.
+        // Loops over all lanes, and no closures of arrays' methods: so they are compiled for wide registers.
         for axis in 0..3 {
             let backward = self.backward[axis];
             let first = &node.faces[axis][usize::from(backward)];
             let last = &node.faces[axis][usize::from(!backward)];
-            let (start, end) = (Vec4::splat(starts[axis]), Vec4::splat(ends[axis]));
-            let inverse = Vec4::splat(inverses[axis]);
-            for half in 0..2 {
-                entry[half] = ((first[half] - start) * inverse).max(entry[half]);
-                exit[half] = ((last[half] - end) * inverse).min(exit[half]);
+            let (start, end, inverse) = (starts[axis], ends[axis], inverses[axis]);
+            for lane in 0..WIDTH {
+                let enter = (first[lane] - start) * inverse;
+                entry[lane] = if enter > entry[lane] { enter } else { entry[lane] };
+                let leave = (last[lane] - end) * inverse;
+                exit[lane] = if leave < exit[lane] { leave } else { exit[lane] };
             }
         }
         let room = Vec4::splat(1.0 + 2.0 * SLACK);
-        let met = |half: usize| entry[half].cmple(exit[half] * room).bitmask();
-        (entry, met(0) | met(1) << 4)
+        let ([near, more_near], [leave, more_leave]) = (halves(&entry), halves(&exit));
+        let (met, more_met) = (near.cmple(leave * room), more_near.cmple(more_leave * room));
+        (entry, met.bitmask() | more_met.bitmask() << 4)
     }
+}
+
+#[inline(always)]
+fn halves(lanes: &Lanes) -> [Vec4; 2] {
+    let [a, b, c, d, e, f, g, h] = *lanes;
+    [Vec4::new(a, b, c, d), Vec4::new(e, f, g, h)]
 }
