@@ -40,6 +40,25 @@ fn both_command_lines_make_the_same_picture() {
 }
 
 #[test]
+fn words_of_both_command_lines_are_told_apart() {
+    let desk = Desk::new();
+    for (line, own) in [
+        ("a.pov +W40 --stats", "--stats"),
+        ("+Ia.pov --threads 2", "--threads"),
+        ("render a.pov +W40", "render"),
+    ] {
+        let answer = desk.povista(line);
+        assert_eq!(answer.code, Some(1), "{line}");
+        assert!(
+            answer.err.contains("is a word of POV-Ray's") && answer.err.contains(&format!("`{own}`")),
+            "{}",
+            answer.err
+        );
+    }
+    assert_eq!(desk.povista("a.pov --size 8x6 --clock +1").code, Some(0));
+}
+
+#[test]
 fn every_accelerator_and_thread_count_gives_the_same_bytes() {
     let desk = Desk::new();
     let mut bytes = Vec::new();

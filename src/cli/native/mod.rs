@@ -15,6 +15,7 @@ mod terminal;
 
 use std::ffi::OsString;
 use std::io::Write;
+use std::path::Path;
 
 use clap::{CommandFactory, Parser};
 
@@ -45,6 +46,10 @@ pub(super) fn main(
     err: &mut (dyn Write + Send),
 ) -> u8 {
     let words = arguments.clone();
+    if let Some(problem) = mixed(&words) {
+        tell(&problem, err);
+        return exit::FAILURE;
+    }
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(answer) => {
@@ -120,6 +125,25 @@ fn misspelt(words: &[OsString]) -> Option<Problem> {
     let near = COMMANDS.into_iter().find(|command| strsim::damerau_levenshtein(first, command) <= 2)?;
     let command = Problem::new(format!("there is no command `{first}`"));
     (near != first).then(|| command.help(format!("did you mean `{near}`?")))
+}
+
+/// Tells whether a picture is asked for with words of both programs.
+fn mixed(words: &[OsString]) -> Option<Problem> {
+    let words: Vec<&str> = words.iter().skip(1).filter_map(|word| word.to_str()).collect();
+    let command = words.first().filter(|first| COMMANDS.contains(first));
+    if command.is_some_and(|command| *command != "render") {
+        return None;
+    }
+    let is_switch =
+        |word: &&&str| word.strip_prefix('+').is_some_and(|rest| rest.starts_with(char::is_alphabetic));
+    let switch = words.iter().find(is_switch).filter(|switch| !Path::new(switch).exists())?;
+    let own = words.iter().find(|word| word.len() > 2 && word.starts_with("--")).or(command)?;
+    let mixed = Problem::new(format!("`{switch}` is a word of POV-Ray's and `{own}` one of povista's own"));
+    Some(
+        mixed.help(
+            "keep to one of them: `povista help render` tells povista's words, such as `--size 640x480`",
+        ),
+    )
 }
 
 /// Tells a problem and what may help.
