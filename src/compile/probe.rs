@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::Unsupported;
 use super::flatten::Flattener;
-use crate::math::{Bounds, DVec3};
+use crate::math::{Band, Bounds, DVec3};
 use crate::options::Accelerator;
 use crate::scene::Object;
 use crate::scene::settings::Settings;
@@ -76,5 +76,9 @@ pub fn inside_of(object: &Arc<Object>, settings: &Settings) -> Result<Arc<dyn In
 impl Inside for Probe {
     fn inside(&self, point: DVec3) -> bool {
         Probe::inside(self, point)
+    }
+
+    fn enclose(&self, point: &[Band; 3]) -> Band {
+        self.geometry.inside_along(point)
     }
 }

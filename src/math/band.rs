@@ -214,6 +214,12 @@ impl Band {
         }
     }
 
+    /// A function of bands that takes other ways in other lanes: it is given one lane at a time, in all lanes.
+    pub fn by_lanes<const N: usize>(bands: [Self; N], f: impl Fn([Self; N]) -> Self) -> Self {
+        let at = |i: usize| f(bands.map(|band| Self::of([band.lane(i); Lanes::COUNT]))).lane(i);
+        Self::of([at(0), at(1), at(2), at(3)])
+    }
+
     #[inline(always)]
     fn lane(self, i: usize) -> Strip {
         Strip { middle: self.middle.0[i], slope: self.slope.0[i], reach: self.reach.0[i] }

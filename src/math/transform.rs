@@ -2,6 +2,8 @@
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use super::Band;
+
 /// An affine map and its inverse.
 ///
 /// POV-Ray writes points as rows, `p' = p M`; here they are columns, so a `matrix` statement's rows
@@ -117,6 +119,13 @@ impl Transform {
     #[inline]
     pub fn inverse_point(&self, p: DVec3) -> DVec3 {
         self.inverse.transform_point3(p)
+    }
+
+    /// Points of the outer space seen from the inner one.
+    pub fn inverse_along(&self, [x, y, z]: [Band; 3]) -> [Band; 3] {
+        let DAffine3 { matrix3, translation } = self.inverse;
+        [0, 1, 2]
+            .map(|i| x * matrix3.x_axis[i] + y * matrix3.y_axis[i] + z * matrix3.z_axis[i] + translation[i])
     }
 
     /// A direction of the outer space seen from the inner one.

@@ -12,6 +12,7 @@ use crate::math::wide::widest;
 use crate::math::{Band, DVec3, Spline, Transform, tally};
 pub use budget::Budget;
 pub use internal::Internal;
+pub(crate) use number::Number;
 pub use number::Unary;
 pub use tape::Tape;
 

@@ -11,7 +11,7 @@ use super::ray::{Range, Ray};
 use super::screen::{SHUT, Screen, UNKNOWN};
 use super::shape::{Crossing, Remark, Shape};
 use crate::math::wide::widest;
-use crate::math::{Bounds, DVec3};
+use crate::math::{Band, Bounds, DVec3};
 use crate::options::Accelerator;
 
 /// Up to this many objects that may throw a shadow are kept for the many rays of a bundle.
@@ -395,6 +395,12 @@ impl Geometry {
         containers.sort_unstable();
         containers.dedup();
         containers
+    }
+
+    /// What holds whether points that these hold are inside any object: 1, 0 or both.
+    pub fn inside_along(&self, point: &[Band; 3]) -> Band {
+        let inside = self.parts.objects.iter().map(|object| self.parts.inside_along(object.member, point));
+        inside.reduce(Band::or).unwrap_or(Band::constant(0.0))
     }
 
     #[inline(always)]

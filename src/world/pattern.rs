@@ -162,7 +162,11 @@ impl Field for Pattern {
     }
 
     fn enclose(&self, point: &[Band; 3]) -> Band {
-        self.along(point)
+        self.along(point, &[point[0], point[1]])
+    }
+
+    fn enclose_mapped(&self, point: &[Band; 3], uv: &[Band; 2]) -> Band {
+        self.along(point, uv)
     }
 
     fn is_known(&self) -> bool {

@@ -100,9 +100,14 @@ pub trait Field: Send + Sync + std::fmt::Debug {
         self.value(&Sample::at(point))
     }
 
-    /// What holds the numbers at all points whose coordinates these hold.
+    /// What holds the numbers at all points without a surface whose coordinates these hold.
     fn enclose(&self, _point: &[Band; 3]) -> Band {
         Band::UNKNOWN
+    }
+
+    /// The same where texture coordinates are those of other points, from which these were moved.
+    fn enclose_mapped(&self, point: &[Band; 3], _uv: &[Band; 2]) -> Band {
+        self.enclose(point)
     }
 
     /// Whether [`Field::enclose`] knows the field: the bands of short stretches are narrow, wherever it is
@@ -133,4 +138,9 @@ pub trait Colors: Send + Sync + std::fmt::Debug {
 pub trait Inside: Send + Sync + std::fmt::Debug {
     /// Whether the point, in the space where the object was written, is inside.
     fn inside(&self, point: DVec3) -> bool;
+
+    /// What holds whether points are inside whose coordinates these hold: 1, 0 or both.
+    fn enclose(&self, _point: &[Band; 3]) -> Band {
+        Band::between(0.0, 1.0)
+    }
 }

@@ -75,15 +75,7 @@ impl Warps {
     pub fn along(&self, mut p: [Band; 3]) -> [Band; 3] {
         for step in &self.steps {
             p = match step {
-                Warp::Transform(transform) => {
-                    let [axes @ .., origin] =
-                        [DVec3::X, DVec3::Y, DVec3::Z, DVec3::ZERO].map(|p| transform.inverse_point(p));
-                    let [x, y, z] = p;
-                    [0, 1, 2].map(|i| {
-                        let [a, b, c] = axes.map(|axis| axis[i] - origin[i]);
-                        x * a + y * b + z * c + origin[i]
-                    })
-                }
+                Warp::Transform(transform) => transform.inverse_along(p),
                 Warp::Turbulence(amount, octaves) => {
                     let [x, y, z] = octaves.vector_along(p);
                     [p[0] + x * amount.x, p[1] + y * amount.y, p[2] + z * amount.z]

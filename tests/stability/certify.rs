@@ -22,7 +22,7 @@ pub(crate) trait Along {
 /// What is known about the zeros in a range.
 #[derive(Debug, Default)]
 pub(crate) struct Zeros {
-    /// Each of them, ascending, to about 28 digits of the range.
+    /// Each of them, ascending, to about 26 digits of the range.
     pub(crate) at: Vec<Double>,
     /// Places where double-doubles cannot tell none, one and two apart.
     pub(crate) doubtful: Vec<f64>,
@@ -112,7 +112,7 @@ pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
         PARTS[0],
         |cell| match cell {
             Cell::One(part) => {
-                let Interval { low, high } = refined(|t| f.rough(t), part);
+                let Interval { low, high } = refined(|t| f.rough(t), part, 0.0);
                 ones.push(Interval { low: Double::of(low), high: Double::of(high) });
             }
             Cell::Doubt(part) => {
@@ -139,7 +139,7 @@ pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
         );
     }
     for one in ones {
-        let near = refined(|t| f.fine(t), one);
+        let near = refined(|t| f.fine(t), one, FINE_ENOUGH * scale);
         match f.counts(near) {
             Some(true) => out.at.push(near.middle()),
             Some(false) => {}
@@ -150,13 +150,19 @@ pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
     out
 }
 
-/// The zero in a part where there is just one, as narrow as it gets.
-fn refined<S: Scalar>(f: impl Fn(Interval<S>) -> Jet<S>, mut part: Interval<S>) -> Interval<S> {
+/// The share of a range that zeros are known to.
+const FINE_ENOUGH: f64 = 1e-26;
+
+/// The zero in a part where there is just one, as narrow as it gets or as is enough.
+fn refined<S: Scalar>(f: impl Fn(Interval<S>) -> Jet<S>, mut part: Interval<S>, enough: f64) -> Interval<S> {
     for _ in 0..200 {
         let (middle, slope) = (part.middle(), f(part).slope);
         let step = f(Interval::point(middle)).value / slope;
         let next = (Interval::point(middle) - step).meet(part);
         let (before, after) = ((part.high - part.low).to_f64(), (next.high - next.low).to_f64());
+        if after <= enough {
+            return next;
+        }
         if after > 0.5 * before {
             // Newton has stopped helping: halve, or end where nothing helps.
             let value = f(Interval::point(middle)).value;

@@ -31,6 +31,11 @@ impl Double {
         self.high
     }
 
+    /// With so little added that it is but a part of the second double.
+    pub(crate) fn shifted(self, by: f64) -> Self {
+        fast_two_sum(self.high, self.low + by)
+    }
+
     pub(crate) fn abs(self) -> Self {
         if self.high < 0.0 { -self } else { self }
     }

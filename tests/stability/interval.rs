@@ -64,10 +64,10 @@ impl Scalar for Double {
         self.to_f64()
     }
     fn down(self) -> Self {
-        self - Self::of(self.to_f64().abs() * ROUNDING + f64::MIN_POSITIVE)
+        self.shifted(-(self.to_f64().abs() * ROUNDING + f64::MIN_POSITIVE))
     }
     fn up(self) -> Self {
-        self + Self::of(self.to_f64().abs() * ROUNDING + f64::MIN_POSITIVE)
+        self.shifted(self.to_f64().abs() * ROUNDING + f64::MIN_POSITIVE)
     }
     fn root(self) -> Self {
         self.sqrt()
@@ -199,22 +199,35 @@ impl<S: Scalar> Sub for Interval<S> {
 impl<S: Scalar> Mul for Interval<S> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let all =
-            [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
-        let (mut low, mut high) = (all[0], all[0]);
-        for &x in &all[1..] {
-            if x < low {
-                low = x;
+        let zero = S::of(0.0);
+        let (a, b) = (self, other);
+        // The factors of the lowest and the highest product, by the signs.
+        let [low, high] = if a.low >= zero {
+            if b.low >= zero {
+                [a.low * b.low, a.high * b.high]
+            } else if b.high <= zero {
+                [a.high * b.low, a.low * b.high]
+            } else {
+                [a.high * b.low, a.high * b.high]
             }
-            if x > high {
-                high = x;
+        } else if a.high <= zero {
+            if b.low >= zero {
+                [a.low * b.high, a.high * b.low]
+            } else if b.high <= zero {
+                [a.high * b.high, a.low * b.low]
+            } else {
+                [a.low * b.high, a.low * b.low]
             }
-        }
+        } else if b.low >= zero {
+            [a.low * b.high, a.high * b.high]
+        } else if b.high <= zero {
+            [a.high * b.low, a.low * b.low]
+        } else {
+            let ([p, q], [r, s]) = ([a.low * b.high, a.high * b.low], [a.low * b.low, a.high * b.high]);
+            [if q < p { q } else { p }, if s > r { s } else { r }]
+        };
         // Zero times infinity: nothing is known.
-        if all.iter().any(|x| x.partial_cmp(x).is_none()) {
-            return Self::all();
-        }
-        Self { low: low.down(), high: high.up() }
+        if low <= high { Self { low: low.down(), high: high.up() } } else { Self::all() }
     }
 }
 

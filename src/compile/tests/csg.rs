@@ -1,7 +1,8 @@
 //! The conformance probes of docs/spec/primitives.md 7, observed in POV-Ray.
 
 use super::*;
-use crate::math::Bounds;
+use crate::math::{Band, Bounds, Lanes};
+use crate::world::Inside;
 
 const X: DVec3 = DVec3::X;
 const Y: DVec3 = DVec3::Y;
@@ -93,6 +94,36 @@ fn points_are_inside_compounds_where_povray_says() {
         ("CL", cl(), v(0., 0.3, 0.), true),
     ] {
         assert_eq!(probe(&object).inside(point), inside, "{name} at {point}");
+    }
+}
+
+#[test]
+fn bands_hold_what_is_inside_compounds() {
+    let ring = moved(cylinder(-Z, Z, 1.), Transform::rotate(v(20., 30., 40.)));
+    let eq = intersection([ring, quadric(v(1., 2., 1.), 0.1 * X, -1.)]);
+    for (name, object) in
+        [("D1", d1()), ("DU", du()), ("DI", di()), ("UI", ui()), ("EQ", eq), ("MC", mc()), ("CL", cl())]
+    {
+        let probe = probe(&object);
+        let mut sure = [0; 2];
+        for n in 0..2000_u32 {
+            let at = |by: f64| (f64::from(n) * by).fract() * 3. - 1.5;
+            let middle = v(at(0.819_172_513), at(0.671_043_607), at(0.549_700_478));
+            let half = v(0.3, 0.2, -0.4) * 0.5_f64.powi(n as i32 % 12);
+            let place = [0, 1, 2].map(|i| Band::line(Lanes::splat(middle[i]), Lanes::splat(half[i])));
+            let band = Inside::enclose(&probe, &place);
+            for step in -4..=4 {
+                let inside = f64::from(probe.inside(middle + 0.25 * f64::from(step) * half));
+                assert!(
+                    band.low().0[0] <= inside && inside <= band.high().0[0],
+                    "{name} at {middle} ± {half}: {inside}, {band:?}"
+                );
+            }
+            if let Some(inside) = band.fixed() {
+                sure[inside as usize] += 1;
+            }
+        }
+        assert!(sure[0] > 100 && sure[1] > 50 && sure[0] + sure[1] > 1500, "{name}: {sure:?}");
     }
 }
 

@@ -37,6 +37,12 @@ impl Band {
         self.lanewise(|s| s.stepped(&value))
     }
 
+    /// What is above the next lower whole number; where that isn't sure, 0 … 1.
+    pub fn fraction(self) -> Self {
+        let whole = self.floor();
+        Self::between(0.0, 1.0).where_positive(whole.reach, self - whole)
+    }
+
     /// What is left over a multiple of `divisor`, with the sign of `self`.
     pub fn remainder(self, divisor: Self) -> Self {
         let Some(divisor) = divisor.fixed().map(f64::abs).filter(|d| *d > 0.0) else {
@@ -132,6 +138,11 @@ impl Band {
                 _ => None,
             })
         })
+    }
+
+    /// 1 where one of both isn't 0, else 0.
+    pub fn or(self, other: Self) -> Self {
+        self.is_false().and(other.is_false()).is_false()
     }
 
     /// 1 where it is 0, else 0.

@@ -106,6 +106,8 @@ impl Parts {
                     operation: Some(group.operation),
                     clipped: group.limits.is_some(),
                     parent: way.parent,
+                    outer: place as u32,
+                    inner: place as u32,
                     end: 0,
                     inside: Inside::Point,
                 });
@@ -113,6 +115,7 @@ impl Parts {
                     scratch.near[place].inside = self.gather_group(group, place, way, scratch);
                 }
                 scratch.near[place].end = scratch.near.len() as u32;
+                scratch.pass_over(place);
                 scratch.near[place].inside
             }
         }
@@ -155,6 +158,8 @@ impl Parts {
             operation: None,
             clipped: leaf.limits.is_some(),
             parent: way.parent,
+            outer: place,
+            inner: place,
             end: place + 1,
             inside,
         });

@@ -8,6 +8,7 @@
 //!
 //! `gather` finds the members near a ray and their crossings, `survive` decides about these.
 
+mod along;
 mod convex;
 mod gather;
 mod scratch;

@@ -14,8 +14,13 @@ pub(super) struct Near {
     pub(super) operation: Option<Operation>,
     /// Whether clips take a part of it.
     pub(super) clipped: bool,
-    /// The compound it is part of, by its place among the members near the ray.
+    /// The compound it is part of, by its place among the members near the ray. Compounds that nothing else of is
+    /// near are passed over: they neither keep nor take anything.
     pub(super) parent: Option<u32>,
+    /// Its own place, or that of the outermost compound between, by which the parent knows it.
+    pub(super) outer: u32,
+    /// Its own place, or that of what is the only member near the ray, of which the same holds.
+    pub(super) inner: u32,
     /// Behind the last of those below.
     pub(super) end: u32,
     pub(super) inside: Inside,
@@ -71,6 +76,19 @@ thread_local! {
 }
 
 impl Scratch {
+    /// Joins a compound with its member where only one is near the ray: solids may be nested a thousand deep.
+    pub(super) fn pass_over(&mut self, place: usize) {
+        let Near { clipped, parent, end, inside, .. } = self.near[place];
+        let Some(member) = self.near[..end as usize].get(place + 1) else { return };
+        if clipped || inside != Inside::Members || member.end != end {
+            return;
+        }
+        let inner = member.inner;
+        self.near[place].inner = inner;
+        let inner = &mut self.near[inner as usize];
+        (inner.parent, inner.outer) = (parent, place as u32);
+    }
+
     /// Lends a buffer; calls may nest.
     #[inline]
     pub(super) fn lend<R>(f: impl FnOnce(&mut Self) -> R) -> R {

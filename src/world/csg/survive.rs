@@ -38,9 +38,10 @@ impl<'a> Tree<'a> {
             let Some(parent) = near.parent.map(|parent| parent as usize) else {
                 return true;
             };
+            let outer = near.outer as usize;
             let kept = match self.near[parent].operation {
-                Some(Operation::Intersection) => self.others_agree(parent, member, &place, true),
-                Some(Operation::Merge) => self.others_agree(parent, member, &place, false),
+                Some(Operation::Intersection) => self.others_agree(parent, outer, &place, true),
+                Some(Operation::Merge) => self.others_agree(parent, outer, &place, false),
                 Some(Operation::Union) | None => true,
             };
             if !kept {
@@ -64,6 +65,7 @@ impl<'a> Tree<'a> {
 
     /// Whether the point at a distance is inside a member.
     fn inside(&self, member: usize, t: f64) -> bool {
+        let member = self.near[member].inner as usize;
         let what = self.near[member].member;
         match self.near[member].inside {
             Inside::Between { enter, leave, inverted } => (enter < t && t < leave) != inverted,

@@ -7,7 +7,7 @@ use crate::math::wide::widest;
 use crate::math::{Band, DVec3, Lanes, hyperbolic, noise};
 
 /// A number that formulas can compute with, or what holds all numbers it may be.
-pub(super) trait Number:
+pub(crate) trait Number:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -66,6 +66,16 @@ pub(super) trait Number:
 
     /// Computes a formula in the widest registers, if that is worth while.
     fn wide(formula: impl FnOnce() -> Self) -> Self;
+
+    /// What comes of `negative` where `self` is below 0, else of `other`; of both where that isn't sure.
+    #[inline(always)]
+    fn pick(self, negative: impl FnOnce() -> Self, other: impl FnOnce() -> Self) -> Self {
+        match self.is_negative() {
+            Some(true) => negative(),
+            Some(false) => other(),
+            None => self.choose(negative(), other()),
+        }
+    }
 
     /// Its absolute value.
     #[inline(always)]

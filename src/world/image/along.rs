@@ -20,6 +20,9 @@ const PIXELS: f64 = 1024.0;
 /// weights are an eighth each way, along both axes.
 const BEYOND: f64 = 0.3;
 
+/// Where alpha may be less, little is said of what is divided by it.
+const FAINT: f64 = 1e-4;
+
 /// Beside the border of a pixel either is meant.
 const ROOM: f64 = 1e-9;
 
@@ -44,12 +47,6 @@ fn both(inside: Band, outside: Band, position: &Position) -> Band {
 }
 
 impl ImageMap {
-    /// Whether [`Self::colors_along`] says something: colours between pixels that are divided by their alpha
-    /// afterwards are nothing linear.
-    pub(crate) fn is_held(&self) -> bool {
-        !self.image.premultiplied || self.interpolation == Interpolation::None
-    }
-
     /// What holds [`Self::pattern_value`] at all points that these hold.
     pub(crate) fn pattern_along(&self, p: &[Band; 3]) -> Band {
         let of: Of = match (self.use_alpha, self.image.has_alpha) {
@@ -67,16 +64,36 @@ impl ImageMap {
     /// `clear`.
     pub(crate) fn colors_along(&self, p: &[Band; 3], clear: &Rgbft, of: Of) -> Band {
         let position = self.position_along(p);
-        let undone = |color: &Rgbft| {
-            let alpha = 1.0 - color.transmit;
-            let mut color = *color;
-            if self.image.premultiplied && f64::from(alpha) > EPSILON {
-                color.rgb /= alpha;
-            }
-            of(&color)
+        let interpolated = self.interpolation != Interpolation::None;
+        let shown = match (self.image.premultiplied, interpolated) {
+            (false, _) => self.shown(&position, of),
+            (true, false) => self.shown(&position, &|color| {
+                let alpha = 1.0 - color.transmit;
+                let mut color = *color;
+                if f64::from(alpha) > EPSILON {
+                    color.rgb /= alpha;
+                }
+                of(&color)
+            }),
+            (true, true) => self.divided(&position, of),
         };
         let (clear, room) = (of(clear), ROUNDING * of(clear).abs());
-        both(self.shown(&position, &undone), Band::between(clear - room, clear + room), &position)
+        both(shown, Band::between(clear - room, clear + room), &position)
+    }
+
+    /// What is shown where colours between pixels are divided by their alpha.
+    fn divided(&self, position: &Position, of: Of) -> Band {
+        let multiplied = self.shown(position, &|color| of(&Rgbft { filter: 0.0, transmit: 0.0, ..*color }));
+        let rest = self.shown(position, &|color| of(&Rgbft { rgb: Rgb::ZERO, ..*color }));
+        let alpha = -self.shown(position, &|color| f64::from(color.transmit)) + 1.0;
+        let alpha = Band { reach: alpha.reach + ROUNDING, ..alpha };
+        // No alpha but 0 is less than the step of single precision below 1.
+        let finest = 2.0 / f64::from(f32::EPSILON);
+        let zero = Band::constant(0.0);
+        let any = (multiplied.min(zero) * finest).hull(multiplied.max(zero) * finest);
+        let quotient = (multiplied / alpha).where_positive(alpha.low() - FAINT, any);
+        let room = (quotient.middle.abs() + quotient.spread()) * ROUNDING;
+        Band { reach: quotient.reach + room, ..quotient }.loose() + rest
     }
 
     /// [`Self::position`] along lines, in pixels, which may lie outside where the image repeats.

@@ -1,11 +1,13 @@
 //! Patterns along lines: bounds of their values, for surfaces that are made of them.
 //!
-//! Of pavements and other tilings, of bricks, spirals, fractals and voxels nothing is said.
+//! Where there is no surface yet: `slope` and `aoi` are 0.
 
 use std::f64::consts::{PI, TAU};
 
 use super::noise::WRINKLES;
-use super::{Formula, PERIOD, Pattern, Wave, agate, cells, quilted, ripples, simple, wood};
+use super::{
+    Formula, PERIOD, Pattern, Wave, agate, cells, hexagon, quilted, ripples, simple, triangular, wood,
+};
 use crate::math::noise::EPSILON;
 use crate::math::{Band, DVec3, Lanes};
 
@@ -21,9 +23,9 @@ impl Pattern {
         self.warps.are_held() && self.formula.is_held()
     }
 
-    /// What holds the finished values at all points that these hold.
-    pub(super) fn along(&self, point: &Point) -> Band {
-        let mut v = self.formula.along(&self.warps.along(*point));
+    /// What holds the finished values at all points that these hold, with these texture coordinates.
+    pub(super) fn along(&self, point: &Point, uv: &[Band; 2]) -> Band {
+        let mut v = self.formula.along(&self.warps.along(*point), uv);
         let mut positive = self.formula.is_positive();
         if self.frequency != 0.0 {
             v = (v * self.frequency + self.phase).remainder(Band::constant(PERIOD));
@@ -31,7 +33,7 @@ impl Pattern {
         }
         if !positive {
             let all = v.max(ZERO).hull(Band::between(0.0, 1.0));
-            v = v.where_positive(v.low(), (v - v.floor()).where_positive(-v.high(), all));
+            v = v.where_positive(v.low() + f64::MIN_POSITIVE, (v - v.floor()).where_positive(-v.high(), all));
         }
         match self.wave {
             Wave::Ramp => v,
@@ -48,31 +50,7 @@ impl Formula {
     fn is_held(&self) -> bool {
         match self {
             Self::Function(field) | Self::Pigment(field) => field.is_known(),
-            Self::Crackle(crackle) => crackle.is_held(),
-            Self::Agate(_)
-            | Self::Boxed
-            | Self::Bozo(_)
-            | Self::Bumps(_)
-            | Self::Cells
-            | Self::Checker
-            | Self::Cylindrical
-            | Self::Dents(_)
-            | Self::Gradient(_)
-            | Self::Granite(_)
-            | Self::Image(_)
-            | Self::Leopard
-            | Self::Marble(_)
-            | Self::Onion
-            | Self::Planar
-            | Self::Quilted(_)
-            | Self::Radial
-            | Self::Ripples(_)
-            | Self::Spherical
-            | Self::Square
-            | Self::Waves(_)
-            | Self::Wood(_)
-            | Self::Wrinkles(_) => true,
-            _ => false,
+            _ => true,
         }
     }
 
@@ -80,45 +58,63 @@ impl Formula {
     fn is_positive(&self) -> bool {
         !matches!(
             self,
-            Self::Function(_) | Self::Pigment(_) | Self::Gradient(_) | Self::Marble(_) | Self::Waves(_)
+            Self::Fractal(_)
+                | Self::Function(_)
+                | Self::Gradient(_)
+                | Self::Marble(_)
+                | Self::Pigment(_)
+                | Self::Spiral1(_)
+                | Self::Waves(_)
         )
     }
 
-    fn along(&self, p: &Point) -> Band {
+    fn along(&self, p: &Point, uv: &[Band; 2]) -> Band {
         let [x, y, z] = *p;
         match self {
             Self::Agate(agate) => agate.along(p),
+            Self::Aoi | Self::Average | Self::Facets(_) | Self::Slope(_) => ZERO,
             Self::Boxed => fall(x.abs().max(y.abs()).max(z.abs())),
             Self::Bozo(generator) | Self::Bumps(generator) => Band::noise(*generator, *p),
+            Self::Brick(brick) => brick.along(p),
             Self::Cells => in_cells(p, [0.0, 1.0], cells::value),
             Self::Checker => in_cells(p, [0.0, 1.0], simple::checker),
             Self::Crackle(crackle) => crackle.along(p),
+            Self::Cubic => cube_face(p),
             Self::Cylindrical => fall((x.square() + z.square()).sqrt()),
+            Self::DensityFile(file) => file.along(p),
             Self::Dents(generator) => {
                 let n = Band::noise(*generator, *p);
                 n * n * n
             }
+            Self::Fractal(fractal) => fractal.along(p),
             Self::Function(function) => fold(function.enclose(p)),
             Self::Gradient(d) => fold(x * d.x + y * d.y + z * d.z),
             Self::Granite(generator) => granite(*generator, p),
+            Self::Hexagon => hexagon::along(p),
             Self::Image(map) => map.pattern_along(p),
             Self::Leopard => {
                 let wave = (x.sin_cos().0 + y.sin_cos().0 + z.sin_cos().0) * (1.0 / 3.0);
                 wave.square()
             }
             Self::Marble(marble) => marble.along(p),
+            Self::Object(object) => object.enclose(p),
             Self::Onion => length(p).remainder(ONE),
-            Self::Pigment(pigment) => pigment.enclose(p),
+            Self::Pavement(pavement) => pavement.along(p),
+            Self::Penrose(penrose) => penrose.along(p),
+            Self::Pigment(pigment) => pigment.enclose_mapped(p, uv),
             Self::Planar => fall(y.abs()),
             Self::Quilted(quilted) => quilted.along(p),
             Self::Radial => radial(p),
             Self::Ripples(ripples) => ripples.ripples_along(p),
             Self::Spherical => fall(length(p)),
+            Self::Spiral1(spiral) => spiral.single_along(p),
+            Self::Spiral2(spiral) => spiral.double_along(p),
             Self::Square => in_cells(&[x, ZERO, z], [0.0, 3.0], simple::square),
+            Self::Tiling(tiling) => tiling.along(p),
+            Self::Triangular => triangular::along(p),
             Self::Waves(ripples) => ripples.waves_along(p),
             Self::Wood(wood) => wood.along(p),
             Self::Wrinkles(generator) => wrinkles(*generator, p),
-            _ => Band::UNKNOWN,
         }
     }
 }
@@ -155,6 +151,46 @@ fn in_cells(p: &Point, [least, most]: [f64; 2], value: impl Fn(DVec3) -> f64) ->
         bounds
     });
     Band::within(Lanes(bounds.map(|[low, _]| low)), Lanes(bounds.map(|[_, high]| high)))
+}
+
+/// Beside the edge of what is on a floor either side is meant.
+pub(super) const BESIDE: f64 = 1e-9;
+
+/// So many cells of a floor are looked at one by one.
+const FLOOR_CELLS: f64 = 36.0;
+
+/// A pattern made of unit squares: what all values are between, and those near the square with these numbers, which
+/// are the same in all lanes.
+pub(super) fn on_floor(
+    at: [Band; 2],
+    [least, most]: [f64; 2],
+    value: impl Fn([Band; 2], [f64; 2]) -> Band,
+) -> Band {
+    Band::by_lanes(at, |at| {
+        let from = at.map(|c| (c.low().0[0] - BESIDE).floor());
+        let to = at.map(|c| (c.high().0[0] + BESIDE).floor());
+        let count = (to[0] - from[0] + 1.0) * (to[1] - from[1] + 1.0);
+        let near = from.iter().chain(&to).all(|c| c.abs() < FAR);
+        if !(near && count <= FLOOR_CELLS) {
+            return Band::between(least, most);
+        }
+        let steps = |i: usize| (0..=(to[i] - from[i]) as u32).map(move |step| from[i] + f64::from(step));
+        let squares = steps(0).flat_map(|column| steps(1).map(move |row| [column, row]));
+        squares.map(|square| value(at, square)).reduce(Band::hull).unwrap_or(Band::UNKNOWN)
+    })
+}
+
+/// The numbers of the faces of a cube that a place may be seen on.
+fn cube_face([x, y, z]: &Point) -> Band {
+    let most = x.abs().max(y.abs()).max(z.abs());
+    let (mut low, mut high) = (Lanes::splat(5.0), Lanes::ZERO);
+    for (number, height) in (0..).zip([*x, *y, *z, -*x, -*y, -*z]) {
+        let may = (height - most).high() + f64::MIN_POSITIVE;
+        let number = Lanes::splat(f64::from(number));
+        low = low.zip(number, f64::min).where_positive(may, low);
+        high = high.zip(number, f64::max).where_positive(may, high);
+    }
+    Band::within(low, high)
 }
 
 impl quilted::Quilted {

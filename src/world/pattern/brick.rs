@@ -1,7 +1,7 @@
 //! `brick` (docs/spec/patterns-textures.md 2.6).
 
-use crate::math::DVec3;
 use crate::math::noise::EPSILON;
+use crate::math::{Band, DVec3};
 
 /// `brick`: 0 is mortar, 1 is brick.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +28,19 @@ impl Brick {
         let (x, z) = if even_course { (part.x, part.z + 0.5) } else { (part.x + 0.5, part.z) };
         let mortar = fraction(x) <= share.x || fraction(z) <= share.z;
         f64::from(!mortar)
+    }
+
+    /// What holds the values at all points that these hold.
+    pub(super) fn along(&self, p: &[Band; 3]) -> Band {
+        let share = self.mortar / self.size;
+        let part = [0, 1, 2].map(|i| (p[i] + (EPSILON + self.mortar)) * (1.0 / self.size[i]));
+        let is_mortar = |part: Band, share: f64| part.fraction().less_equal(Band::constant(share));
+        let beside = |x: Band, z: Band| is_mortar(x, share.x).or(is_mortar(z, share.z));
+        let even_course = (part[1] * 0.5).fraction().less_equal(Band::constant(0.5));
+        let between = even_course
+            .and(beside(part[0], part[2] + 0.5))
+            .or(even_course.is_false().and(beside(part[0] + 0.5, part[2])));
+        is_mortar(part[1], share.y).or(between).is_false()
     }
 }
 

@@ -1,5 +1,7 @@
 //! `density_file`: a block of voxels in the unit cube (docs/spec/patterns-textures.md 2.4).
 
+mod along;
+
 use std::sync::Arc;
 
 use crate::math::DVec3;

@@ -1,6 +1,9 @@
 //! `mandel`, `julia`, `magnet`: fractals of the x-y plane (docs/spec/patterns-textures.md 2.5).
 
+mod along;
+
 use crate::math::{DVec2, DVec3};
+use crate::world::function::{Number, Unary};
 
 /// A fractal and how it is coloured.
 #[derive(Clone, Debug)]
@@ -46,62 +49,82 @@ impl Iteration {
         matches!(self, Self::Magnet1 | Self::Magnet2)
     }
 
-    fn step(&self, z: DVec2, c: DVec2) -> DVec2 {
-        let (a, b) = (z.x, z.y);
-        let (a2, b2) = (a * a, b * b);
+    #[inline(always)]
+    fn step<N: Number>(&self, z: [N; 2], c: [N; 2]) -> [N; 2] {
+        let [a, b] = z;
+        let (a2, b2) = (a.unary(Unary::Square), b.unary(Unary::Square));
         match self {
-            Self::Power(3) => DVec2::new(a2 * a - 3.0 * a * b2 + c.x, 3.0 * a2 * b - b2 * b + c.y),
+            Self::Power(3) => [a2 * a - a * 3.0 * b2 + c[0], a2 * 3.0 * b - b2 * b + c[1]],
             Self::Power(4) => {
-                DVec2::new(a2 * a2 - 6.0 * a2 * b2 + b2 * b2 + c.x, 4.0 * (a2 * a * b - a * b2 * b) + c.y)
+                [a2 * a2 - a2 * 6.0 * b2 + b2 * b2 + c[0], (a2 * a * b - a * b2 * b) * 4.0 + c[1]]
             }
-            Self::Power(_) => DVec2::new(a2 - b2 + c.x, 2.0 * a * b + c.y),
+            Self::Power(_) => [a2 - b2 + c[0], a * 2.0 * b + c[1]],
             Self::Binomial(coefficients) => {
                 let n = coefficients.len() as i32 - 1;
-                let mut sum = [c.x + a.powf(f64::from(n)), c.y];
+                let power = |v: N, exponent: i32| v.powf(N::constant(f64::from(exponent)));
+                let mut sum = [c[0] + power(a, n), c[1]];
                 for (k, coefficient) in (0..).zip(coefficients).skip(1) {
-                    let term = coefficient * a.powf(f64::from(n - k)) * b.powf(f64::from(k));
+                    let term = power(a, n - k) * *coefficient * power(b, k);
                     let part = &mut sum[(k & 1) as usize];
-                    *part += if k & 2 == 0 { term } else { -term };
+                    *part = *part + if k & 2 == 0 { term } else { -term };
                 }
-                DVec2::from_array(sum)
+                sum
             }
             Self::Magnet1 => {
-                let top = DVec2::new(a2 - b2 + c.x - 1.0, 2.0 * a * b + c.y);
-                let bottom = 2.0 * z + c - DVec2::new(2.0, 0.0);
+                let top = [a2 - b2 + c[0] - 1.0, a * 2.0 * b + c[1]];
+                let bottom = [a * 2.0 + c[0] - 2.0, b * 2.0 + c[1]];
                 square(divide(top, bottom))
             }
             Self::Magnet2 => {
-                let (c1, c2) = (c - DVec2::X, c - 2.0 * DVec2::X);
+                let (c1, c2) = ([c[0] - 1.0, c[1]], [c[0] - 2.0, c[1]]);
                 // The product of c1 and c2, in POV-Ray's order of rounding as are the cube and the square.
-                let last = DVec2::new(c1.x * c2.x - c.y * c.y, c.y * (c1.x + c2.x));
-                let cube = DVec2::new(a2 * a - 3.0 * a * b2, 3.0 * a2 * b - b2 * b);
-                let triple_square = DVec2::new(3.0 * (a2 - b2), 6.0 * a * b);
-                let top = cube + 3.0 * multiply(c1, z) + last;
-                let bottom = triple_square + 3.0 * multiply(c2, z) + last + DVec2::X;
-                square(divide(top, bottom))
+                let last = [c1[0] * c2[0] - c[1] * c[1], c[1] * (c1[0] + c2[0])];
+                let cube = [a2 * a - a * 3.0 * b2, a2 * 3.0 * b - b2 * b];
+                let triple_square = [(a2 - b2) * 3.0, a * 6.0 * b];
+                let triple = |u: [N; 2]| multiply(u, z).map(|v| v * 3.0);
+                let top = add(add(cube, triple(c1)), last);
+                let [x, y] = add(add(triple_square, triple(c2)), last);
+                square(divide(top, [x + 1.0, y]))
             }
         }
     }
 }
 
-fn multiply(u: DVec2, v: DVec2) -> DVec2 {
-    DVec2::new(u.x * v.x - u.y * v.y, u.x * v.y + u.y * v.x)
+fn add<N: Number>(u: [N; 2], v: [N; 2]) -> [N; 2] {
+    [u[0] + v[0], u[1] + v[1]]
 }
 
-fn divide(u: DVec2, v: DVec2) -> DVec2 {
-    DVec2::new(u.x * v.x + u.y * v.y, u.y * v.x - u.x * v.y) / (v.x * v.x + v.y * v.y)
+fn multiply<N: Number>(u: [N; 2], v: [N; 2]) -> [N; 2] {
+    [u[0] * v[0] - u[1] * v[1], u[0] * v[1] + u[1] * v[0]]
 }
 
-fn square(z: DVec2) -> DVec2 {
-    DVec2::new(z.x * z.x - z.y * z.y, 2.0 * z.x * z.y)
+fn divide<N: Number>(u: [N; 2], v: [N; 2]) -> [N; 2] {
+    let size = size(v);
+    [(u[0] * v[0] + u[1] * v[1]) / size, (u[1] * v[0] - u[0] * v[1]) / size]
 }
+
+fn square<N: Number>([x, y]: [N; 2]) -> [N; 2] {
+    [x.unary(Unary::Square) - y.unary(Unary::Square), x * 2.0 * y]
+}
+
+/// The square of the distance from 0.
+fn size<N: Number>([x, y]: [N; 2]) -> N {
+    x.unary(Unary::Square) + y.unary(Unary::Square)
+}
+
+/// Values up to here don't count as escaped, by their square; those of magnets.
+const LIMIT: f64 = 4.0;
+const MAGNET_LIMIT: f64 = 10000.0;
+
+/// Magnets draw what is nearer to 1 than this, by its square.
+const DRAWN: f64 = 1.0 / 10000.0;
 
 impl Fractal {
     pub(super) fn value(&self, p: DVec3) -> f64 {
         // The loop is made for each step, which is a few operations.
         match &self.iteration {
             Iteration::Power(2) => self.iterate_squares(p),
-            step => self.iterate(p, |z, c| step.step(z, c)),
+            step => self.iterate(p, |z, c| DVec2::from_array(step.step(z.to_array(), c.to_array()))),
         }
     }
 
@@ -112,20 +135,20 @@ impl Fractal {
         let c = self.julia.unwrap_or(point);
         let starts_at_zero = magnet && self.julia.is_none();
         let mut z = if starts_at_zero { DVec2::ZERO } else { point };
-        let mut nearest = if starts_at_zero { 10000.0 } else { z.length_squared() };
+        let mut nearest = if starts_at_zero { MAGNET_LIMIT } else { z.length_squared() };
         for count in 0..self.iterations {
             z = step(z, c);
             let square = z.length_squared();
             nearest = if square < nearest { square } else { nearest };
             let escaped = match magnet {
-                true => square > 10000.0 || (z - DVec2::X).length_squared() < 1.0 / 10000.0,
-                false => square > 4.0,
+                true => square > MAGNET_LIMIT || (z - DVec2::X).length_squared() < DRAWN,
+                false => square > LIMIT,
             };
             if escaped {
-                return self.outside(count, z);
+                return self.outside(count, z.to_array());
             }
         }
-        self.inside(nearest, z)
+        self.inside(nearest, z.to_array())
     }
 
     /// The same for z² + c, number by number: each step waits for the one before, and pairs of numbers that
@@ -145,8 +168,8 @@ impl Fractal {
             a = c.x - (b2 - a2);
             (a2, b2) = (a * a, b * b);
             let square = a2 + b2;
-            if square > 4.0 {
-                return self.outside(count, DVec2::new(a, b));
+            if square > LIMIT {
+                return self.outside(count, [a, b]);
             }
             nearest = if square < nearest { square } else { nearest };
             count += 1;
@@ -159,39 +182,39 @@ impl Fractal {
                 next_mark = next_mark.saturating_mul(2);
             }
         }
-        self.inside(nearest, DVec2::new(a, b))
+        self.inside(nearest, [a, b])
     }
 
-    fn outside(&self, count: u32, z: DVec2) -> f64 {
+    fn outside<N: Number>(&self, count: u32, z: [N; 2]) -> N {
         let (kind, factor) = self.exterior;
         let count_modulo = |m: f64| f64::from(count % (m as u32).max(1));
         match kind {
-            0 => factor,
-            1 => f64::from(count) / f64::from(self.iterations),
-            6 => z.length() * factor,
-            7 => count_modulo(factor) / factor,
-            8 => count_modulo(1.0 + factor) / factor,
+            0 => N::constant(factor),
+            1 => N::constant(f64::from(count) / f64::from(self.iterations)),
+            6 => size(z).sqrt() * factor,
+            7 => N::constant(count_modulo(factor) / factor),
+            8 => N::constant(count_modulo(1.0 + factor) / factor),
             _ => component(kind, z) * factor,
         }
     }
 
-    fn inside(&self, nearest: f64, z: DVec2) -> f64 {
+    fn inside<N: Number>(&self, nearest: N, z: [N; 2]) -> N {
         let (kind, factor) = self.interior;
         match kind {
-            0 => factor,
+            0 => N::constant(factor),
             1 => nearest.sqrt() * factor,
-            6 => z.x * z.x + z.y * z.y * factor,
+            6 => z[0].unary(Unary::Square) + z[1].unary(Unary::Square) * factor,
             _ => component(kind, z) * factor,
         }
     }
 }
 
 /// What types 2 … 5 look at.
-fn component(kind: u32, z: DVec2) -> f64 {
+fn component<N: Number>(kind: u32, [x, y]: [N; 2]) -> N {
     match kind {
-        2 => z.x,
-        3 => z.y,
-        4 => z.x * z.x,
-        _ => z.y * z.y,
+        2 => x,
+        3 => y,
+        4 => x.unary(Unary::Square),
+        _ => y.unary(Unary::Square),
     }
 }

@@ -1,6 +1,8 @@
 //! `pavement`: floors of polyominoes, polyiamonds and polyhexes (docs/spec/patterns-textures.md 2.7.3).
 
-use crate::math::{DVec2, DVec3};
+use super::along::on_floor;
+use crate::math::{Band, DVec2, DVec3};
+use crate::world::function::{Number, Unary};
 
 /// A floor and how its tiles are bevelled.
 #[derive(Clone, Debug)]
@@ -69,43 +71,66 @@ impl Pavement {
         if self.sides == 4 { self.squares(p) } else { self.triangles(p) }
     }
 
+    /// What holds the values at all points that these hold.
+    pub(super) fn along(&self, [x, _, z]: &[Band; 3]) -> Band {
+        if self.sides == 4 {
+            return on_floor([*x, *z], [0.0, 1.0], |[x, z], [column, row]| {
+                self.square(self.cells.code(column, row), [x - column, z - row])
+            });
+        }
+        // Along the left sides of upright triangles rows go on with the same columns.
+        let (row_height, lean) = (3_f64.sqrt() / 2.0, 1.0 / 3_f64.sqrt());
+        on_floor([*x - *z * lean, *z * (1.0 / row_height)], [0.0, 1.0], |[slanted, rows], [column, row]| {
+            let left = column + 0.5 * row;
+            let z = rows * row_height;
+            let (x, z) = (slanted + z * lean - left, z - row * row_height);
+            let upside_down = (-x + 1.0) * 3_f64.sqrt() - z;
+            let code = |column: f64| self.cells.code(column, row);
+            upside_down.pick(
+                || self.triangle(code(2.0 * left + 1.0), [-x + 1.5, -z + row_height]),
+                || self.triangle(code(2.0 * left), [x, z]),
+            )
+        })
+    }
+
     fn squares(&self, p: DVec2) -> f64 {
         let cell = p.floor();
-        let code = self.cells.code(cell.x, cell.y);
-        let at = p - cell;
-        let walls = [(1, at.x), (2, 1.0 - at.x), (4, at.y), (8, 1.0 - at.y)];
+        self.square(self.cells.code(cell.x, cell.y), (p - cell).to_array())
+    }
+
+    /// A place in a unit square.
+    fn square<N: Number>(&self, code: u32, [x, z]: [N; 2]) -> N {
+        let [x1, z1] = [-x + 1.0, -z + 1.0];
+        let one = N::constant(1.0);
         // Corners: mark, the walls that touch it, twice the distances from it.
-        let corners = [
-            (16, 1 | 4, at.x, at.y),
-            (32, 2 | 4, 1.0 - at.x, at.y),
-            (64, 1 | 8, at.x, 1.0 - at.y),
-            (128, 2 | 8, 1.0 - at.x, 1.0 - at.y),
-        ]
-        .map(|(mark, touching, u, v)| (mark, touching, 2.0 * u, 2.0 * v));
+        let corners = [(16, 1 | 4, x, z), (32, 2 | 4, x1, z), (64, 1 | 8, x, z1), (128, 2 | 8, x1, z1)]
+            .map(|(mark, touching, u, v)| (mark, touching, u * 2.0, v * 2.0));
         if self.form < 3 {
             for index in [3, 2, 1, 0] {
                 let (mark, touching, u, v) = corners[index];
                 let opposite = 15 ^ touching;
                 if code & mark != 0 && code & opposite == opposite {
-                    return (square_norm(self.form, u, v) - 1.0).abs().min(1.0);
+                    return (square_norm(self.form, u, v) - 1.0).abs().min(one);
                 }
             }
         }
-        let mut r = 0_f64;
-        for (wall, distance) in walls {
+        let mut r = N::constant(0.0);
+        for (wall, distance) in [(1, x), (2, x1), (4, z), (8, z1)] {
             if code & wall != 0 {
-                r = r.max(1.0 - 2.0 * distance);
+                r = r.max(distance * -2.0 + 1.0);
             }
         }
         for (mark, touching, u, v) in corners {
             if code & mark != 0 {
-                r = r.max(1.0 - square_norm(self.interior, u, v));
+                r = r.max(-square_norm(self.interior, u, v) + 1.0);
             }
             if code & touching == touching {
                 match self.exterior {
-                    1 => r = r.max((2.0 - (u + v)).min(1.0)),
-                    2 if u <= 1.0 && v <= 1.0 => {
-                        r = r.max(((1.0 - u).powi(2) + (1.0 - v).powi(2)).sqrt().min(1.0));
+                    1 => r = r.max((-(u + v) + 2.0).min(one)),
+                    // Beside the corner's quarter both walls are already as high as this.
+                    2 => {
+                        let [u, v] = [u, v].map(|c| (-c + 1.0).max(N::constant(0.0)));
+                        r = r.max(length([u, v]).min(one));
                     }
                     _ => {}
                 }
@@ -125,29 +150,31 @@ impl Pavement {
         let upright = 3_f64.sqrt() * (1.0 - at.x) >= z;
         if upright {
             let code = self.cells.code(2.0 * left, row);
-            return self.triangle(code, at);
+            return self.triangle(code, at.to_array());
         }
         let bottom = left + 1.0;
         let code = self.cells.code(2.0 * bottom - 1.0, row);
-        self.triangle(code, DVec2::new(0.5 - (p.x - bottom), row_height - z))
+        self.triangle(code, [0.5 - (p.x - bottom), row_height - z])
     }
 
     /// A point of the triangle with corners (0,0), (1,0) and the top (½, √3/2).
-    fn triangle(&self, code: u32, p: DVec2) -> f64 {
+    fn triangle<N: Number>(&self, code: u32, p: [N; 2]) -> N {
         let root = 3_f64.sqrt();
         let kappa = 2.0 * root;
-        let (x, z) = (p.x, p.y);
-        let [left, right, base] = [(root * x - z) / 2.0, (root * (1.0 - x) - z) / 2.0, z];
-        // Signed sides of the bisectors between two corners.
-        let left_top = 1.0 - (root * z + x);
-        let right_top = 1.0 - (root * z - x + 1.0);
-        let left_right = 1.0 - 2.0 * x;
+        let [x, z] = p;
+        let [left, right, base] = [(x * root - z) / 2.0, ((-x + 1.0) * root - z) / 2.0, z];
+        let sides = Sides {
+            left_top: -(z * root + x) + 1.0,
+            right_top: -(z * root - x + 1.0) + 1.0,
+            left_right: x * -2.0 + 1.0,
+        };
+        let Sides { left_top, right_top, .. } = sides;
         let wall = |bit: u32| code & bit != 0;
 
-        let mut r = 0_f64;
+        let mut r = N::constant(0.0);
         for (bit, distance) in [(1, left), (2, right), (4, base)] {
             if wall(bit) {
-                r = r.max(1.0 - kappa * distance);
+                r = r.max(distance * -kappa + 1.0);
             }
         }
 
@@ -155,111 +182,144 @@ impl Pavement {
         let marks = [
             (
                 8,
-                DVec2::new(0.5, root / 2.0),
-                root / 2.0 - z,
-                left_top < 0.0 && right_top < 0.0,
-                (1.5 * (1.0 - left_top) - 2.0, 1.5 * (1.0 - right_top) - 2.0),
+                TOP,
+                -z + root / 2.0,
+                sides.top(),
+                ((-left_top + 1.0) * 1.5 - 2.0, (-right_top + 1.0) * 1.5 - 2.0),
             ),
-            (
-                16,
-                DVec2::ZERO,
-                (root * x + z) / 2.0,
-                left_top > 0.0 && left_right > 0.0,
-                (1.0 - 1.5 * (1.0 - left_top), 1.0 - 3.0 * x),
-            ),
+            (16, LEFT, (x * root + z) / 2.0, sides.left(), ((-left_top + 1.0) * -1.5 + 1.0, x * -3.0 + 1.0)),
             (
                 32,
-                DVec2::X,
-                (root * (1.0 - x) + z) / 2.0,
-                right_top > 0.0 && left_right < 0.0,
-                (1.0 - 1.5 * (1.0 - right_top), 3.0 * x - 2.0),
+                RIGHT,
+                ((-x + 1.0) * root + z) / 2.0,
+                sides.right(),
+                ((-right_top + 1.0) * -1.5 + 1.0, x * 3.0 - 2.0),
             ),
         ];
-        for (bit, corner, height, in_kite, bevels) in marks {
+        for (bit, corner, height, kite, bevels) in marks {
             if !wall(bit) {
                 continue;
             }
-            match self.interior {
-                0 => r = r.max(1.0 - kappa * height),
-                2 => r = r.max(1.0 - 3.0 * (p - corner).length()),
-                _ if in_kite => r = r.max(bevels.0.min(bevels.1)),
-                _ => {}
-            }
+            r = match self.interior {
+                0 => r.max(height * -kappa + 1.0),
+                2 => r.max(length(from(p, corner())) * -3.0 + 1.0),
+                _ => kite.pick(|| r.max(bevels.0.min(bevels.1)), || r),
+            };
         }
 
         if self.sides == 3 {
-            r = self
-                .outer_corner(code, p, [left, right, base], [left_top, right_top, left_right])
-                .unwrap_or(r);
+            r = self.outer_corner(code, p, [left, right, base], &sides, r);
         }
-        self.tip(code, p, [left_top, right_top, left_right]).unwrap_or(r)
+        self.tip(code, p, &sides, r)
     }
 
     /// Step 3: corners between two walls, shaped by `exterior`.
-    fn outer_corner(
+    fn outer_corner<N: Number>(
         &self,
         code: u32,
-        p: DVec2,
-        [left, right, base]: [f64; 3],
-        [left_top, right_top, left_right]: [f64; 3],
-    ) -> Option<f64> {
+        p: [N; 2],
+        [left, right, base]: [N; 3],
+        sides: &Sides<N>,
+        r: N,
+    ) -> N {
         let root = 3_f64.sqrt();
         let kappa = 2.0 * root;
-        let middle = DVec2::new(0.5, root / 6.0);
         let between = |walls: u32| code & walls == walls;
+        let [x, z] = from(p, [0.5, root / 6.0]);
+        let one = N::constant(1.0);
         match self.exterior {
             2 => {
-                let rounded = between(1 | 2) && left_top <= 0.0 && right_top <= 0.0
-                    || between(1 | 4) && left_top >= 0.0 && left_right >= 0.0
-                    || between(2 | 4) && right_top >= 0.0 && left_right <= 0.0;
-                rounded.then(|| (kappa * (p - middle).length()).min(1.0))
+                // Up to 0 where a corner is rounded.
+                let corners = [(1 | 2, sides.top()), (1 | 4, sides.left()), (2 | 4, sides.right())];
+                let of_walls = corners.into_iter().filter(|(walls, _)| between(*walls));
+                let rounded = of_walls.map(|(_, corner)| corner).reduce(N::min).unwrap_or(one);
+                (-rounded).pick(|| r, || (length([x, z]) * kappa).min(one))
             }
             1 => {
-                let near = |d: f64| 1.0 - kappa * d >= 0.0;
-                let (x, z) = (root * (p.x - 0.5), p.y - root / 6.0);
+                let away = |d: N| d * -kappa + 1.0;
+                let x = x * root;
                 let bevels = [
-                    (1 | 4, left, base, root * (x + z).abs()),
-                    (2 | 4, right, base, root * (x - z).abs()),
-                    (1 | 2, left, right, kappa * z.abs()),
+                    (1 | 2, left, right, z.abs() * kappa),
+                    (2 | 4, right, base, (x - z).abs() * root),
+                    (1 | 4, left, base, (x + z).abs() * root),
                 ];
-                let meeting =
-                    bevels.into_iter().find(|&(walls, a, b, _)| between(walls) && near(a) && near(b));
-                meeting.map(|(.., height)| height.min(1.0))
+                // The last that is met counts.
+                bevels
+                    .into_iter()
+                    .filter(|(walls, ..)| between(*walls))
+                    .fold(r, |r, (_, a, b, height)| away(a).min(away(b)).pick(|| r, || height.min(one)))
             }
-            _ => None,
+            _ => r,
         }
     }
 
     /// Step 4: pieces shaped by `form`.
-    fn tip(&self, code: u32, p: DVec2, [left_top, right_top, left_right]: [f64; 3]) -> Option<f64> {
+    fn tip<N: Number>(&self, code: u32, p: [N; 2], sides: &Sides<N>, r: N) -> N {
         let root = 3_f64.sqrt();
-        let (top, left, right) = (DVec2::new(0.5, root / 2.0), DVec2::ZERO, DVec2::X);
-        let in_top = left_top < 0.0 && right_top < 0.0;
-        let in_left = left_top > 0.0 && left_right > 0.0;
-        let in_right = right_top > 0.0 && left_right < 0.0;
-        // Bit, kite, arc centre, bevel.
+        let Sides { left_top, right_top, left_right } = *sides;
+        // Bit, kite, arc centre, bevel. The last that is met counts.
         let pieces = [
-            (64, in_top, left, -left_top),
-            (128, in_left, top, left_top),
-            (256, in_top, right, -right_top),
-            (512, in_right, top, right_top),
-            (1024, in_left, right, left_right),
-            (2048, in_right, left, -left_right),
+            (2048, sides.right(), LEFT, -left_right),
+            (1024, sides.left(), RIGHT, left_right),
+            (512, sides.right(), TOP, right_top),
+            (256, sides.top(), RIGHT, -right_top),
+            (128, sides.left(), TOP, left_top),
+            (64, sides.top(), LEFT, -left_top),
         ];
-        let (.., center, bevel) = pieces.into_iter().find(|&(bit, inside, ..)| code & bit != 0 && inside)?;
-        match self.form {
-            2 => Some((2.0 * root * ((p - center).length() - root / 3.0)).clamp(0.0, 1.0)),
-            1 => Some((2.0 * bevel).min(1.0)),
-            _ => None,
-        }
+        let (zero, one) = (N::constant(0.0), N::constant(1.0));
+        let of_code = pieces.into_iter().filter(|(bit, ..)| code & bit != 0 && self.form != 0);
+        of_code.fold(r, |r, (_, kite, center, bevel)| {
+            let shaped = || match self.form {
+                2 => ((length(from(p, center())) - root / 3.0) * (2.0 * root)).max(zero).min(one),
+                _ => (bevel * 2.0).min(one),
+            };
+            kite.pick(shaped, || r)
+        })
     }
 }
 
+/// A corner of the triangle.
+type Corner = fn() -> [f64; 2];
+
+const TOP: Corner = || [0.5, 3_f64.sqrt() / 2.0];
+const LEFT: Corner = || [0.0, 0.0];
+const RIGHT: Corner = || [1.0, 0.0];
+
+/// On which side of the bisectors between two corners of the triangle a place is.
+struct Sides<N> {
+    left_top: N,
+    right_top: N,
+    left_right: N,
+}
+
+/// The kites that are nearest to the corners: below 0 inside.
+impl<N: Number> Sides<N> {
+    fn top(&self) -> N {
+        self.left_top.max(self.right_top)
+    }
+
+    fn left(&self) -> N {
+        (-self.left_top).max(-self.left_right)
+    }
+
+    fn right(&self) -> N {
+        (-self.right_top).max(self.left_right)
+    }
+}
+
+fn from<N: Number>([x, z]: [N; 2], corner: [f64; 2]) -> [N; 2] {
+    [x - corner[0], z - corner[1]]
+}
+
+fn length<N: Number>([x, z]: [N; 2]) -> N {
+    (x.unary(Unary::Square) + z.unary(Unary::Square)).sqrt()
+}
+
 /// The norm that a corner shape measures with: 0 maximum, 1 sum, 2 Euclid.
-fn square_norm(shape: u32, u: f64, v: f64) -> f64 {
+fn square_norm<N: Number>(shape: u32, u: N, v: N) -> N {
     match shape {
         0 => u.max(v),
         1 => u + v,
-        _ => (u * u + v * v).sqrt(),
+        _ => length([u, v]),
     }
 }

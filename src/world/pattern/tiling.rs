@@ -3,7 +3,9 @@
 use std::f64::consts::SQRT_2;
 use std::sync::LazyLock;
 
-use crate::math::{DVec2, DVec3};
+use super::along::BESIDE;
+use crate::math::{Band, DVec2, DVec3};
+use crate::world::function::Number;
 
 /// One of the periodic tilings.
 #[derive(Clone, Copy, Debug)]
@@ -87,7 +89,9 @@ impl Tiling {
         // The tile a point is in is the one it is deepest in.
         let mut deepest = (f64::NEG_INFINITY, 0.0);
         for tile in self.tiles {
-            tile.covering(p, |depth, value| {
+            let corner = coordinates(tile.lattice, p).map(f64::floor);
+            let home = p - corner[0] * tile.lattice[0] - corner[1] * tile.lattice[1];
+            tile.copies(home.to_array(), tile.reach, |depth, value| {
                 if depth > deepest.0 {
                     deepest = (depth, value);
                 }
@@ -132,23 +136,82 @@ fn invert_band(value: f64, z: f64) -> f64 {
 }
 
 impl Tile {
-    /// Calls `found` with depth and value of `p` in every copy near it.
-    fn covering(&self, p: DVec2, mut found: impl FnMut(f64, f64)) {
+    /// Calls `found` with depth and value of a place in copies of the tile, in ranges along both lattice vectors.
+    #[inline(always)]
+    fn copies<N: Number>(&self, [x, z]: [N; 2], copies: [(i32, i32); 2], mut found: impl FnMut(N, N)) {
         let [a, b] = self.lattice;
-        let [u, v] = coordinates(self.lattice, p).map(f64::floor);
-        let home = p - u * a - v * b;
-        for i in self.reach[0].0..=self.reach[0].1 {
-            for j in self.reach[1].0..=self.reach[1].1 {
-                let at = home - f64::from(i) * a - f64::from(j) * b;
-                let mut depth = f64::INFINITY;
-                let mut rise = f64::INFINITY;
-                for edge in &self.edges {
-                    let distance = (at - edge.start).dot(edge.inward);
-                    depth = depth.min(distance);
-                    rise = rise.min(edge.weight * distance.abs());
-                }
-                found(depth, (self.rim - rise).max(self.floor) / self.divisor);
+        let [along_a, along_b] = copies.map(|(from, to)| (from..=to).map(f64::from));
+        for i in along_a {
+            for j in along_b.clone() {
+                let at = [x - i * a.x - j * b.x, z - i * a.y - j * b.y];
+                let distances = self.edges.iter().map(|edge| {
+                    let distance =
+                        (at[0] - edge.start.x) * edge.inward.x + (at[1] - edge.start.y) * edge.inward.y;
+                    (distance, distance.abs() * edge.weight)
+                });
+                let least = distances.reduce(|(d, r), (distance, rise)| (d.min(distance), r.min(rise)));
+                let Some((depth, rise)) = least else { continue };
+                let value = (-rise + self.rim).max(N::constant(self.floor)) / self.divisor;
+                found(depth, value);
             }
         }
+    }
+
+    /// The copies that may cover places, if these are near each other.
+    fn copies_near(&self, [x, z]: [Band; 2]) -> Option<[(i32, i32); 2]> {
+        let [[u, v], [p, q]] = [DVec2::X, DVec2::Y].map(|axis| coordinates(self.lattice, axis));
+        let at = [x * u + z * p, x * v + z * q].map(|c| [c.low().0[0].floor(), c.high().0[0].floor()]);
+        let is_small = |[from, to]: [f64; 2]| to - from <= MOST_CELLS && from.abs().max(to.abs()) < FAR;
+        let range = |k: usize| (at[k][0] as i32 + self.reach[k].0, at[k][1] as i32 + self.reach[k].1);
+        at.into_iter().all(is_small).then(|| [range(0), range(1)])
+    }
+}
+
+/// So many cells of the lattice are gone through beside the first.
+const MOST_CELLS: f64 = 3.0;
+
+/// Places up to here are looked at.
+const FAR: f64 = 1e9;
+
+impl Tiling {
+    /// What holds the values at all points that these hold.
+    pub(super) fn along(&self, [x, _, z]: &[Band; 3]) -> Band {
+        Band::by_lanes([*x, *z], |at| {
+            let inside = self.in_tiles(at).unwrap_or(Band::between(0.0, 1.0));
+            self.on_lines(at, inside)
+        })
+    }
+
+    /// The values of all tiles that may be those which places are deepest in.
+    fn in_tiles(&self, at: [Band; 2]) -> Option<Band> {
+        let mut found = Vec::new();
+        for tile in self.tiles {
+            tile.copies(at, tile.copies_near(at)?, |depth, value| found.push((depth, value)));
+        }
+        let bound = |band: Band| [band.low().0[0] - BESIDE, band.high().0[0] + BESIDE];
+        let deepest = found.iter().map(|(depth, _)| bound(*depth)[0]).fold(f64::NEG_INFINITY, f64::max);
+        let may = found.into_iter().filter(|(depth, _)| bound(*depth)[1] >= deepest);
+        may.map(|(_, value)| value).reduce(Band::hull)
+    }
+
+    /// With the values on the lines where there are others, if these may be met.
+    fn on_lines(&self, [x, z]: [Band; 2], inside: Band) -> Band {
+        let is_whole = |c: Band| c.low().0[0].ceil() <= c.high().0[0];
+        let is_zero = |c: Band| c.low().0[0] <= 0.0 && c.high().0[0] >= 0.0;
+        let mut all = inside;
+        match self.number {
+            3 if is_whole(x) => all = (inside - 0.5).hull(inside + 0.5),
+            12 => {
+                for (c, least) in [(x, 4.0 / 3.0), (z, 7.0 / 3.0)] {
+                    if is_whole(c * (1.0 / 6.0)) {
+                        all = all.hull(Band::between(least, 7.0 / 3.0));
+                    }
+                }
+            }
+            13 | 14 if is_zero(x) => all = all.hull(Band::between(0.0, 4.0 / 3.0)),
+            13 | 14 if is_zero(z) => all = all.hull(Band::constant(0.0)),
+            _ => {}
+        }
+        all
     }
 }

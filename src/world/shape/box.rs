@@ -2,7 +2,7 @@
 
 use super::stretch::{End, Stretch, UNSAID};
 use super::{Crossing, Shape};
-use crate::math::{Bounds, DVec2, DVec3};
+use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
 /// An axis-aligned box, faces included. Parts: -x, +x, -y, +y, -z, +z.
@@ -151,6 +151,13 @@ impl Shape for Cuboid {
 
     fn inside(&self, point: DVec3) -> bool {
         self.bounds().contains(point)
+    }
+
+    fn inside_along(&self, p: &[Band; 3]) -> Band {
+        let between = |i: usize| {
+            Band::constant(self.min[i]).less_equal(p[i]).and(p[i].less_equal(Band::constant(self.max[i])))
+        };
+        between(0).and(between(1)).and(between(2))
     }
 
     #[inline]

@@ -1,11 +1,11 @@
 //! `cone { base, base_radius, cap, cap_radius [open] }` (docs/spec/primitives.md 3.5).
 
-use super::cylinder::{BASE, CAP, SIDE, between_ends, border, keep_side};
+use super::cylinder::{BASE, CAP, SIDE, between_ends, between_planes, border, keep_side};
 use super::stretch::{End, Stretch};
 use super::{Crossing, Shape};
 use crate::math::roots::{self, difference_of_products};
 use crate::math::wide::widest;
-use crate::math::{Bounds, DVec3};
+use crate::math::{Band, Bounds, DVec3};
 use crate::world::{Range, Ray};
 
 /// The cone whose radius grows from `tip` at z = 0 to 1 at z = 1; a negative `tip` gives the two
@@ -136,6 +136,12 @@ impl Shape for Cone {
         point.truncate().length_squared() <= radius * radius + border
             && -border <= point.z
             && point.z <= 1.0 + border
+    }
+
+    fn inside_along(&self, [x, y, z]: &[Band; 3]) -> Band {
+        let border = border(self.open);
+        let radius = *z * self.slope() + self.tip;
+        between_planes(*z, border).and((x.square() + y.square()).less_equal(radius.square() + border))
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

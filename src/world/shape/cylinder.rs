@@ -2,7 +2,7 @@
 
 use super::stretch::{End, Stretch};
 use super::{Crossing, Shape};
-use crate::math::{Bounds, DVec3, roots};
+use crate::math::{Band, Bounds, DVec3, roots};
 use crate::world::{Range, Ray};
 
 /// The cylinder x² + y² = 1 between z = 0 and z = 1; the ends take part unless it is open.
@@ -42,6 +42,11 @@ pub(super) fn border(open: bool) -> f64 {
 #[inline]
 pub(super) fn between_ends(ray: &Ray) -> Option<Stretch> {
     Stretch::slab((0.0, BASE), (1.0, CAP), ray.origin.z, ray.direction.z)
+}
+
+/// What holds whether points with these heights are between both.
+pub(super) fn between_planes(z: Band, border: f64) -> Band {
+    Band::constant(-border).less_equal(z).and(z.less_equal(Band::constant(1.0 + border)))
 }
 
 impl Cylinder {
@@ -95,6 +100,11 @@ impl Shape for Cylinder {
     fn inside(&self, point: DVec3) -> bool {
         let border = border(self.open);
         point.truncate().length_squared() <= 1.0 + border && -border <= point.z && point.z <= 1.0 + border
+    }
+
+    fn inside_along(&self, [x, y, z]: &[Band; 3]) -> Band {
+        let border = border(self.open);
+        between_planes(*z, border).and((x.square() + y.square()).less_equal(Band::constant(1.0 + border)))
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

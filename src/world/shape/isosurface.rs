@@ -12,7 +12,7 @@ use super::r#box::Cuboid;
 use super::sphere::Sphere;
 use super::stretch::Stretch;
 use super::{Crossing, Remark, Shape};
-use crate::math::{Bounds, DVec3};
+use crate::math::{Band, Bounds, DVec3};
 use crate::world::sample::Field;
 use crate::world::{Range, Ray};
 use search::Search;
@@ -217,6 +217,15 @@ impl Shape for Isosurface {
         self.container.holds(point) && self.value(point) <= 0.0
     }
 
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        let below = (self.function.enclose(point) - self.threshold).less_equal(Band::constant(0.0));
+        let within = match &self.container {
+            Container::Box(cuboid) => cuboid.inside_along(point),
+            Container::Sphere(sphere) => sphere.inside_along(point),
+        };
+        within.and(below)
+    }
+
     /// By differences with the accuracy as step, as in POV-Ray.
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
         if let Some(part) = crossing.part.checked_sub(1) {
@@ -252,7 +261,6 @@ impl Shape for Isosurface {
 mod tests {
     use super::super::battery::{Probe, battery, table};
     use super::*;
-    use crate::math::Band;
     use crate::world::sample::Sample;
 
     /// x² + y² + z² - 1.

@@ -276,6 +276,13 @@ impl Shape for JuliaFractal {
         if self.is_exact() { self.orbit.excess(point) <= 0.0 } else { self.follow(point, DVec3::ZERO).inside }
     }
 
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        match self.is_exact() {
+            true => self.orbit.enclose(point).less_equal(Band::constant(0.0)),
+            false => Band::between(0.0, 1.0),
+        }
+    }
+
     /// Of the next point of the orbit, as in POV-Ray, but for functions, of which it has wrong ones.
     fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
         self.orbit.gradient(point, self.orbit.iterations).normalize_or(DVec3::X)

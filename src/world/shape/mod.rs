@@ -38,7 +38,7 @@ pub use primitive::Primitive;
 use std::cell::Cell;
 
 use super::ray::{Range, Ray};
-use crate::math::{Bounds, DVec2, DVec3};
+use crate::math::{Band, Bounds, DVec2, DVec3};
 
 /// One crossing of a ray with a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -119,6 +119,12 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     /// neither side has the border.
     fn outside(&self, point: DVec3) -> bool {
         !self.inside(point)
+    }
+
+    /// What holds whether points that these hold are [inside](Shape::inside): 1, 0 or both; on the border both. It is
+    /// asked near [`Shape::bounds`] only.
+    fn inside_along(&self, _point: &[Band; 3]) -> Band {
+        Band::between(0.0, 1.0)
     }
 
     /// Whether the shape has an inside at all.

@@ -2,7 +2,7 @@
 
 use super::stretch::Stretch;
 use super::{Crossing, Shape};
-use crate::math::{Bounds, DVec3};
+use crate::math::{Band, Bounds, DVec3};
 use crate::world::{Range, Ray};
 
 /// The half-space `normal · p <= distance`.
@@ -62,6 +62,12 @@ impl Shape for Plane {
     fn inside(&self, point: DVec3) -> bool {
         let (height, size) = self.height(point);
         height <= ON_SURFACE * size
+    }
+
+    fn inside_along(&self, [x, y, z]: &[Band; 3]) -> Band {
+        let n = self.normal;
+        // Bands have room for more than what counts as on the surface.
+        (*x * n.x + *y * n.y + *z * n.z - self.distance).less_equal(Band::constant(0.0))
     }
 
     fn normal(&self, _point: DVec3, _crossing: &Crossing) -> DVec3 {

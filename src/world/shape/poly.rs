@@ -2,7 +2,7 @@
 
 use super::{Crossing, Shape};
 use crate::math::roots::each_root;
-use crate::math::{Bounds, DVec3};
+use crate::math::{Band, Bounds, DVec3};
 use crate::world::{Range, Ray};
 
 /// The surface where a polynomial in x, y and z is zero; inside where it isn't above.
@@ -194,6 +194,18 @@ impl Shape for Poly {
     fn inside(&self, point: DVec3) -> bool {
         let (value, _, size) = self.value(point);
         value <= 8.0 * f64::EPSILON * size
+    }
+
+    fn inside_along(&self, [x, y, z]: &[Band; 3]) -> Band {
+        let zero = Band::constant(0.0);
+        let value = self.coefficients.iter().fold(zero, |value, by_y| {
+            let in_y = by_y
+                .iter()
+                .fold(zero, |in_y, by_z| in_y * *y + by_z.iter().fold(zero, |in_z, c| in_z * *z + *c));
+            value * *x + in_y
+        });
+        // Bands have room for more than the rounding that counts as inside.
+        value.less_equal(zero)
     }
 
     fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {

@@ -14,7 +14,7 @@ use super::stretch::Stretch;
 use super::torus::Torus;
 use super::triangle::Triangle;
 use super::{Crossing, Remark, Shape};
-use crate::math::{Bounds, DVec2, DVec3};
+use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
 /// A primitive in its own space; copies share what is big.
@@ -146,6 +146,10 @@ impl Shape for Primitive {
 
     fn outside(&self, point: DVec3) -> bool {
         each!(self, shape => shape.outside(point))
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        each!(self, shape => shape.inside_along(point))
     }
 
     fn is_solid(&self) -> bool {

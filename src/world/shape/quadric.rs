@@ -3,7 +3,7 @@
 use super::stretch::Stretch;
 use super::{Crossing, Shape};
 use crate::math::wide::widest;
-use crate::math::{Bounds, DMat3, DVec3, roots};
+use crate::math::{Band, Bounds, DMat3, DVec3, roots};
 use crate::world::{Range, Ray};
 
 /// p·Mp + l·p + c = 0 with a symmetric M; inside where it is not above 0.
@@ -253,6 +253,15 @@ impl Shape for Quadric {
 
     fn inside(&self, point: DVec3) -> bool {
         self.value(point).0 <= 0.0
+    }
+
+    fn inside_along(&self, [x, y, z]: &[Band; 3]) -> Band {
+        let row = |i: usize| {
+            let m = self.matrix;
+            *x * m.x_axis[i] + *y * m.y_axis[i] + *z * m.z_axis[i] + self.linear[i]
+        };
+        let value = *x * row(0) + *y * row(1) + *z * row(2) + self.constant;
+        value.less_equal(Band::constant(0.0))
     }
 
     fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::stretch::Stretch;
 use super::{Crossing, Shape};
-use crate::math::{Bounds, DVec2, DVec3, roots};
+use crate::math::{Band, Bounds, DVec2, DVec3, roots};
 use crate::world::{Range, Ray};
 
 /// A sphere; a negative radius turns its normals inward.
@@ -70,6 +70,11 @@ impl Shape for Sphere {
 
     fn inside(&self, point: DVec3) -> bool {
         (point - self.center).length_squared() < self.radius * self.radius
+    }
+
+    fn inside_along(&self, p: &[Band; 3]) -> Band {
+        let [x, y, z] = [0, 1, 2].map(|i| (p[i] - self.center[i]).square());
+        (x + y + z).less(Band::constant(self.radius * self.radius))
     }
 
     fn outside(&self, point: DVec3) -> bool {

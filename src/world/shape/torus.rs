@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Crossing, Shape};
 use crate::math::roots;
-use crate::math::{Bounds, DVec2, DVec3};
+use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
 /// (√(x² + z²) - major)² + y² = minor². Part 1 is the inner sheet of a spindle torus.
@@ -185,6 +185,11 @@ impl Shape for Torus {
 
     fn inside(&self, point: DVec3) -> bool {
         length(length(point.x, point.z) - self.major, point.y) <= self.minor
+    }
+
+    fn inside_along(&self, [x, y, z]: &[Band; 3]) -> Band {
+        let from_ring = (x.square() + z.square()).sqrt() - self.major;
+        (from_ring.square() + y.square()).sqrt().less_equal(Band::constant(self.minor))
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

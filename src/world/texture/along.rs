@@ -15,30 +15,21 @@ impl Pigment {
     /// Whether [`Pigment::along`] says something.
     pub(super) fn is_held(&self) -> bool {
         match self {
-            // Texture coordinates are those of the point that was asked for first.
-            Self::UvMapped(pigment) => pigment.is_held_inside(),
-            _ => self.is_held_inside(),
-        }
-    }
-
-    fn is_held_inside(&self) -> bool {
-        match self {
             Self::Color(_) => true,
             Self::Colors(pattern, map) => pattern.is_known() && is_sorted(map),
             Self::Pigments(pattern, map) => {
-                pattern.is_known() && is_sorted(map) && map.entries().iter().all(|(_, p)| p.is_held_inside())
+                pattern.is_known() && is_sorted(map) && map.entries().iter().all(|(_, p)| p.is_held())
             }
             Self::Average(warps, map) => {
-                warps.are_held()
-                    && map.entries().iter().all(|(weight, p)| *weight >= 0.0 && p.is_held_inside())
+                warps.are_held() && map.entries().iter().all(|(weight, p)| *weight >= 0.0 && p.is_held())
             }
-            Self::Image(warps, map) => warps.are_held() && map.is_held(),
-            Self::UvMapped(_) => false,
+            Self::Image(warps, _) => warps.are_held(),
+            Self::UvMapped(pigment) => pigment.is_held(),
         }
     }
 
-    /// What holds a number made of the colours of points that these hold.
-    pub(super) fn along(&self, point: &[Band; 3], of: Of) -> Band {
+    /// What holds a number made of the colours of points that these hold, with these texture coordinates.
+    pub(super) fn along(&self, point: &[Band; 3], uv: &[Band; 2], of: Of) -> Band {
         match self {
             Self::Color(color) => Band::constant(of(color)),
             Self::Colors(pattern, map) => {
@@ -46,20 +37,20 @@ impl Pigment {
                     map.entries().iter().map(|(at, color)| (f64::from(*at), of(color))).collect();
                 let most = points.iter().fold(0.0, |most: f64, (_, value)| most.max(value.abs()));
                 let room = Band::between(-most * ROUNDING, most * ROUNDING);
-                pattern.enclose(point).broken_line(&points) + room
+                pattern.enclose_mapped(point, uv).broken_line(&points) + room
             }
-            Self::Pigments(pattern, map) => blended(pattern, map, point, of),
+            Self::Pigments(pattern, map) => blended(pattern, map, point, uv, of),
             Self::Average(warps, map) => {
                 let inner = warps.along(*point);
                 let (mut sum, mut total) = (Band::constant(0.0), 0.0);
                 for (weight, pigment) in map.entries() {
                     total += f64::from(*weight);
-                    sum = sum + pigment.along(&inner, of) * f64::from(*weight);
+                    sum = sum + pigment.along(&inner, uv, of) * f64::from(*weight);
                 }
                 rounded(sum * (1.0 / total))
             }
             Self::Image(warps, map) => map.colors_along(&warps.along(*point), &super::pigment::CLEAR, of),
-            Self::UvMapped(pigment) => pigment.along(&[point[0], point[1], Band::constant(0.0)], of),
+            Self::UvMapped(pigment) => pigment.along(&[uv[0], uv[1], Band::constant(0.0)], uv, of),
         }
     }
 }
@@ -74,8 +65,14 @@ fn rounded(band: Band) -> Band {
 }
 
 /// A map of pigments: between two of them that the pattern tells, or what holds all that it may.
-fn blended(pattern: &Pattern, map: &BlendMap<Arc<Pigment>>, point: &[Band; 3], of: Of) -> Band {
-    let value = pattern.enclose(point);
+fn blended(
+    pattern: &Pattern,
+    map: &BlendMap<Arc<Pigment>>,
+    point: &[Band; 3],
+    uv: &[Band; 2],
+    of: Of,
+) -> Band {
+    let value = pattern.enclose_mapped(point, uv);
     let inner = pattern.warps.along(*point);
     let (low, high) = (value.low(), value.high());
     let entries = map.entries();
@@ -94,14 +91,14 @@ fn blended(pattern: &Pattern, map: &BlendMap<Arc<Pigment>>, point: &[Band; 3], o
         }
         let (before, behind) = (&entries[stretch.saturating_sub(1)].1, &entries[stretch.min(last)].1);
         let color = if stretch == 0 || stretch > last {
-            behind.along(&inner, of)
+            behind.along(&inner, uv, of)
         } else if from == to {
-            before.along(&inner, of).hull(behind.along(&inner, of))
+            before.along(&inner, uv, of).hull(behind.along(&inner, uv, of))
         } else {
             let share =
                 ((value - from) * (1.0 / (to - from))).max(Band::constant(0.0)).min(Band::constant(1.0));
-            let first = before.along(&inner, of);
-            first + (behind.along(&inner, of) - first) * share
+            let first = before.along(&inner, uv, of);
+            first + (behind.along(&inner, uv, of) - first) * share
         };
         let may = no.where_positive(beside, yes);
         let joined = match all {
@@ -164,14 +161,20 @@ mod tests {
     }
 
     fn image() -> Pigment {
-        let data = (0..6 * 5 * 3).map(|n: u32| (n * n * 31 % 251) as u8).collect();
+        image_of(3, image::Interpolation::Bilinear)
+    }
+
+    /// Of four channels: multiplied by alpha.
+    fn image_of(channels: usize, interpolation: image::Interpolation) -> Pigment {
+        let data = (0..6 * 5 * channels as u32).map(|n| (n * n * 31 % 251) as u8).collect();
         let curve = (0..256).map(|v| v as f32 / 255.0).collect();
-        let pixels = Pixels::Bytes { channels: 3, data, curve };
-        let image = Image { width: 6, height: 5, pixels, premultiplied: false, has_alpha: false };
+        let pixels = Pixels::Bytes { channels, data, curve };
+        let has_alpha = channels == 4;
+        let image = Image { width: 6, height: 5, pixels, premultiplied: has_alpha, has_alpha };
         let map = ImageMap {
             image: Arc::new(image),
             projection: image::Projection::Planar,
-            interpolation: image::Interpolation::Bilinear,
+            interpolation,
             once: false,
             scale: DVec2::new(6.0, 5.0),
             offset: DVec2::ZERO,
@@ -187,6 +190,14 @@ mod tests {
     fn bands_of_pigments_hold_their_colours() {
         holds(&colors(2));
         holds(&image());
+        for interpolation in [
+            image::Interpolation::None,
+            image::Interpolation::Bilinear,
+            image::Interpolation::Bicubic,
+            image::Interpolation::NormalizedDistance,
+        ] {
+            holds(&image_of(4, interpolation));
+        }
     }
 
     #[test]
@@ -202,5 +213,21 @@ mod tests {
         holds(&Pigment::Pigments(Box::new(pattern), all([0.3, 0.5, 0.6, 0.9])));
         holds(&Pigment::Average(Warps::new([moved]), all([1.0, 0.5, 2.0, 0.3])));
         holds(&Pigment::UvMapped(Arc::new(colors(2))));
+    }
+
+    #[test]
+    fn texture_coordinates_stay_those_of_the_place_that_was_asked_for() {
+        let mapped = Arc::new(Pigment::UvMapped(Arc::new(colors(2))));
+        let turned = Warp::Transform(Box::new(Transform::rotate(DVec3::new(20.0, 30.0, 40.0))));
+        let map = BlendMap::new([(0.2, Arc::new(colors(1))), (0.7, mapped.clone())]).unwrap();
+        let pattern = Pattern { warps: Warps::new([turned.clone()]), ..Pattern::plain(Formula::Bozo(3)) };
+        let mixed = Pigment::Pigments(Box::new(pattern), map);
+        holds(&mixed);
+        let grey = Pattern {
+            warps: Warps::new([turned]),
+            ..Pattern::plain(Formula::Pigment(Arc::new(Pigment::UvMapped(mapped))))
+        };
+        let map = BlendMap::new([(0.0, Rgbft::new([0.0; 5])), (1.0, Rgbft::new([1.0; 5]))]).unwrap();
+        holds(&Pigment::Colors(Box::new(grey), map));
     }
 }

@@ -110,7 +110,7 @@ impl Colors for Pigment {
     }
 
     fn enclose(&self, point: &[Band; 3], component: u8) -> Band {
-        self.along(point, &|color| along::component(color, component))
+        self.along(point, &[point[0], point[1]], &|color| along::component(color, component))
     }
 
     fn is_known(&self) -> bool {
@@ -125,7 +125,11 @@ impl Field for Pigment {
     }
 
     fn enclose(&self, point: &[Band; 3]) -> Band {
-        self.along(point, &greyness)
+        self.enclose_mapped(point, &[point[0], point[1]])
+    }
+
+    fn enclose_mapped(&self, point: &[Band; 3], uv: &[Band; 2]) -> Band {
+        self.along(point, uv, &greyness)
     }
 
     fn is_known(&self) -> bool {

@@ -5,12 +5,48 @@ use crate::math::noise::Octaves;
 use crate::math::{DVec2, Lanes, Transform};
 use crate::world::image::{self, Image, ImageMap, Pixels};
 use crate::world::pattern::crackle::{Crackle, Metric};
+use crate::world::pattern::density_file::{self, DensityFile};
+use crate::world::pattern::mandel::{Fractal, Iteration};
+use crate::world::pattern::pavement::Pavement;
+use crate::world::pattern::penrose::Penrose;
+use crate::world::pattern::tiling::Tiling;
+use crate::world::pattern::{brick, slope, spiral};
 use crate::world::sample::{Field, Sample};
+use crate::world::shape::battery::Dice;
 use crate::world::warp::{BlackHole, Mapping, Projection, Repeat, Warp, Warps};
 
-/// Checks that bands along lines long and short hold a pattern's values, and that short ones are narrow.
+/// Checks that bands along lines long and short, and those of boxes around them, hold a pattern's values, and that
+/// short ones are narrow.
 #[track_caller]
 fn holds(pattern: &Pattern) {
+    holds_lines(pattern);
+    holds_boxes(pattern);
+}
+
+#[track_caller]
+fn holds_boxes(pattern: &Pattern) {
+    let mut narrow = 0;
+    for n in 0..200 {
+        let mut dice = Dice::new(n);
+        let (middle, half) = (dice.cube() * 4.0, dice.cube().abs() * 0.5_f64.powi((n % 30) as i32));
+        let at = [0, 1, 2].map(|i| Band::between(middle[i] - half[i], middle[i] + half[i]));
+        let band = pattern.enclose(&at);
+        for _ in 0..20 {
+            let value = pattern.value(&Sample::at(middle + dice.cube() * half));
+            assert!(
+                band.low().0[1] <= value && value <= band.high().0[1],
+                "{pattern:?} at {middle} ± {half}: {value}, {band:?}"
+            );
+        }
+        if n % 30 == 29 {
+            narrow += u32::from(band.reach.0[1] < 1e-4);
+        }
+    }
+    assert!(narrow >= 4, "{pattern:?}: {narrow}");
+}
+
+#[track_caller]
+fn holds_lines(pattern: &Pattern) {
     assert!(pattern.is_known());
     let mut narrow = 0;
     for n in 0..300 {
@@ -39,8 +75,15 @@ fn holds(pattern: &Pattern) {
 fn bands_of_patterns_hold_their_values() {
     let octaves = Octaves { count: 3, omega: 0.5, lambda: 2.0 };
     let own = agate::OwnTurbulence { amount: DVec3::new(0.4, 0.3, 0.2), octaves, generator: 2 };
+    let slope = slope::Slope {
+        target: slope::Target::Direction(DVec3::Y),
+        range: [0.0, 0.5],
+        weights: [0.5; 2],
+        altitude: (DVec3::Y, [0.0, 1.0]),
+    };
     let formulas = [
         Formula::Agate(agate::Agate { strength: 1.0, octaves, generator: 2 }),
+        Formula::Aoi,
         Formula::Boxed,
         Formula::Bozo(1),
         Formula::Bozo(3),
@@ -54,7 +97,10 @@ fn bands_of_patterns_hold_their_values() {
         Formula::Onion,
         Formula::Planar,
         Formula::Radial,
+        Formula::Slope(Box::new(slope)),
         Formula::Spherical,
+        Formula::Spiral1(spiral::Spiral { arms: 3.0, turbulence: None }),
+        Formula::Spiral2(spiral::Spiral { arms: -5.0, turbulence: Some(own) }),
         Formula::Wood(wood::Wood { turbulence: None }),
         Formula::Wood(wood::Wood { turbulence: Some(own) }),
         Formula::Wrinkles(2),
@@ -88,11 +134,89 @@ fn bands_of_cells_hold_their_values() {
         crackle([0.0, 0.0, 0.6], 3.0, 0.1, None),
         crackle([-1.0, 1.0, 0.0], 2.5, 0.0, None),
         crackle([1.0, 0.0, 0.0], 2.0, 0.0, Some(2)),
+        crackle([-1.0, 1.0, 0.0], 0.7, 0.0, None),
+        crackle([0.3, 0.2, 0.1], 0.5, 0.1, None),
+        crackle([1.0, 0.0, 0.0], 0.8, 0.0, Some(2)),
+        crackle([0.5, 0.0, 0.5], -1.0, 0.0, None),
+        crackle([1.0, 0.0, 0.0], 1.0, -0.1, None),
+        Formula::Cubic,
+        Formula::Brick(brick::Brick::new(DVec3::new(0.9, 0.4, 0.5), 0.06)),
+        Formula::Hexagon,
+        Formula::Triangular,
     ] {
-        holds(&Pattern::plain(formula));
+        holds(&Pattern::plain(formula.clone()));
+        let turned = Warp::Transform(Box::new(Transform::rotate(DVec3::new(20.0, 30.0, 40.0))));
+        holds(&Pattern { warps: Warps::new([turned]), ..Pattern::plain(formula) });
     }
-    let odd = crackle([1.0, 0.0, 0.0], 0.5, 0.0, None);
-    assert!(!Pattern::plain(odd).is_known());
+}
+
+#[test]
+fn bands_of_tilings_hold_their_values() {
+    for number in 1..=24 {
+        holds(&Pattern::plain(Formula::Tiling(Tiling::new(number).unwrap())));
+    }
+    for number in 25..=27 {
+        holds(&Pattern::plain(Formula::Penrose(Penrose::new(number).unwrap())));
+    }
+}
+
+#[test]
+fn bands_of_pavements_hold_their_values() {
+    let floors = [[3, 1, 1], [3, 4, 2], [3, 6, 5], [4, 3, 2], [4, 5, 10], [6, 3, 1], [6, 4, 2]];
+    for (n, floor) in (0..).zip(floors) {
+        for shape in 0..3 {
+            let pavement = Pavement::new(floor, shape, (shape + n) % 3, (shape + 2 * n) % 4).unwrap();
+            holds(&Pattern::plain(Formula::Pavement(Box::new(pavement))));
+        }
+    }
+}
+
+#[test]
+fn bands_of_voxels_hold_their_values() {
+    let voxels: Arc<[u8]> = (0..5 * 4 * 3).map(|n: u32| (n * n * 37 % 251) as u8).collect();
+    for interpolation in [
+        density_file::Interpolation::Nearest,
+        density_file::Interpolation::Trilinear,
+        density_file::Interpolation::Tricubic,
+    ] {
+        let file = DensityFile { size: [5, 4, 3], width: 1, voxels: voxels.clone(), interpolation };
+        let larger = Transform::scale(DVec3::splat(5.0)).then(&Transform::translate(DVec3::splat(-2.5)));
+        let warps = Warps::new([Warp::Transform(Box::new(larger))]);
+        holds(&Pattern { warps, ..Pattern::plain(Formula::DensityFile(Box::new(file))) });
+    }
+}
+
+#[test]
+fn bands_of_fractals_hold_their_values() {
+    let fractal = |iteration, julia: Option<[f64; 2]>, interior, exterior| {
+        let fractal =
+            Fractal { iteration, julia: julia.map(DVec2::from), iterations: 60, interior, exterior };
+        holds(&Pattern::plain(Formula::Fractal(Box::new(fractal))));
+    };
+    fractal(Iteration::power(2), None, (0, 1.0), (1, 1.0));
+    fractal(Iteration::power(2), None, (1, 0.7), (6, 0.2));
+    fractal(Iteration::power(2), Some([-0.4, 0.3]), (6, 1.0), (7, 3.0));
+    fractal(Iteration::power(3), None, (2, 1.0), (3, 0.5));
+    fractal(Iteration::power(4), Some([0.3, 0.2]), (4, 1.0), (8, 4.0));
+    fractal(Iteration::power(6), None, (3, 1.0), (0, 0.2));
+    fractal(Iteration::Magnet1, None, (0, 1.0), (1, 1.0));
+    fractal(Iteration::Magnet1, Some([0.2, 0.1]), (0, 1.0), (2, 0.3));
+    fractal(Iteration::Magnet2, None, (1, 1.0), (1, 1.0));
+    fractal(Iteration::Magnet2, Some([1.4, -0.2]), (5, 1.0), (7, 2.0));
+}
+
+#[test]
+fn orbits_that_are_drawn_to_a_cycle_need_not_be_followed() {
+    let endless = Fractal {
+        iteration: Iteration::power(2),
+        julia: None,
+        iterations: u32::MAX,
+        interior: (0, 0.3),
+        exterior: (1, 1.0),
+    };
+    let place = [Band::between(-1.01, -0.99), Band::between(0.05, 0.06), ZERO];
+    let band = endless.along(&place);
+    assert!((band.middle.0[0], band.reach.0[0]) == (0.3, 0.0), "{band:?}");
 }
 
 #[test]

@@ -30,8 +30,8 @@ struct Stretch {
 }
 
 impl Crackle {
-    /// Whether [`Self::along`] says something: distances have to obey the inequality of triangles.
-    pub(in crate::world::pattern) fn is_held(&self) -> bool {
+    /// Whether distances obey the inequality of triangles.
+    fn has_distances(&self) -> bool {
         self.metric.exponent() >= 1.0 && self.metric.offset(self.offset) >= 0.0
     }
 
@@ -66,6 +66,9 @@ impl Crackle {
 
     /// The same, as the seeds around one cell have it.
     fn in_cell(&self, cell: [i32; 3], stretch: Stretch) -> Strip {
+        if !self.has_distances() {
+            return self.in_cell_by_sums(cell, stretch);
+        }
         let Stretch { middle, spread, .. } = stretch;
         let mut near: Vec<(f64, DVec3)> = Vec::with_capacity(NEIGHBOURS.len());
         let distance = |seed: DVec3| (self.metric.distance(self.metric.sum(middle - seed)), seed);
@@ -95,6 +98,45 @@ impl Crackle {
             sum = [sum[0] + weight * strip[0], sum[1] + weight * strip[1], sum[2] + weight.abs() * strip[2]];
         }
         sum
+    }
+
+    /// The same by what every seed's sum is between: the least of all are between the least of either bound.
+    fn in_cell_by_sums(&self, cell: [i32; 3], Stretch { middle, along, reach, .. }: Stretch) -> Strip {
+        let half = along.abs() + reach + ROUNDING * (1.0 + middle.abs().max_element());
+        let bounds = |seed: DVec3| {
+            let gap = (middle - seed).abs();
+            let [near, far] = [(gap - half).max(DVec3::ZERO), gap + half].map(|d| self.metric.sum(d));
+            let [low, high] = if self.metric.grows() { [near, far] } else { [far, near] };
+            [low * (1.0 - ROUNDING), high * (1.0 + ROUNDING)]
+        };
+        let seeds: Vec<_> = NEIGHBOURS.iter().map(|&offset| seed(cell, offset)).collect();
+        let sums: Vec<_> = seeds.iter().map(|&seed| bounds(seed)).collect();
+        let sorted = |bound: usize| {
+            let mut all: Vec<_> = sums.iter().map(|sum| sum[bound]).collect();
+            all.sort_by(f64::total_cmp);
+            all
+        };
+        let (lows, highs) = (sorted(0), sorted(1));
+        if let Some(generator) = self.solid {
+            let first = seeds.iter().zip(&sums).filter(|(_, [low, _])| *low <= highs[0]);
+            let values = first.map(|(seed, _)| noise(generator, *seed));
+            return values.map(|v| [v, 0.0, 0.0]).reduce(hull).unwrap_or(ANY);
+        }
+        let offset = self.metric.offset(self.offset);
+        let (mut low, mut high) = (0.0, 0.0);
+        for (k, weight) in self.form.to_array().into_iter().enumerate() {
+            if weight == 0.0 && self.metric.grows() {
+                continue;
+            }
+            let [a, b] = [lows[k], highs[k]].map(|sum| weight * self.metric.distance(sum + offset));
+            let room = ROUNDING * (a.abs() + b.abs());
+            (low, high) = (low + a.min(b) - room, high + a.max(b) + room);
+        }
+        // What is no number is above no threshold, and below none.
+        if !(low.is_finite() && high.is_finite()) {
+            return ANY;
+        }
+        [0.5 * (low + high), 0.0, 0.5 * (high - low)]
     }
 
     /// The distance to a seed, or if others may take its place, what is as far.

@@ -1,7 +1,7 @@
 //! What is asked of every ray, and how much of it may fail.
 
 use super::Dice;
-use crate::math::DVec3;
+use crate::math::{Band, DVec3, Lanes};
 use crate::world::shape::{Crossing, Shape};
 use crate::world::{Range, Ray};
 
@@ -24,9 +24,11 @@ enum Check {
     Parity,
     /// Rays spawned from the point don't meet it again.
     Spawned,
+    /// Bands hold what is inside.
+    Enclosed,
 }
 
-const CHECKS: [(Check, f64); 8] = [
+const CHECKS: [(Check, f64); 9] = [
     (Check::Ordered, 0.0),
     (Check::Nearest, 0.0),
     (Check::Bounded, 0.0),
@@ -35,6 +37,7 @@ const CHECKS: [(Check, f64); 8] = [
     (Check::Outward, 1e-2),
     (Check::Parity, 2e-3),
     (Check::Spawned, 1e-3),
+    (Check::Enclosed, 0.0),
 ];
 
 /// One shape's answers so far.
@@ -78,6 +81,7 @@ impl<'a> Tally<'a> {
         self.shape.crossings(&ray, Range::LINE, &mut all);
         self.check_order(number, &ray, &all);
         self.check_parity(number, &ray, &all);
+        self.check_enclosed(number, &ray, &all);
         for crossing in &all {
             self.crossed += 1;
             self.check_point(number, &ray, crossing);
@@ -146,6 +150,24 @@ impl<'a> Tally<'a> {
             inside = behind;
         }
         self.ask(Check::Parity, number, passed);
+    }
+
+    /// A stretch of the ray, long or short, near the surface or not.
+    fn check_enclosed(&mut self, number: u64, ray: &Ray, all: &[Crossing]) {
+        let mut dice = Dice::new(!number);
+        let span = self.size / ray.direction.length();
+        let half = span * 0.5_f64.powi((number % 20) as i32);
+        let near = all.get(number as usize % all.len().max(1)).map_or(span * dice.unit(), |c| c.t);
+        let (middle, along) = (ray.at(near + 2.0 * half * (dice.unit() - 0.5)), ray.direction * half);
+        let place = [0, 1, 2].map(|i| Band::line(Lanes::splat(middle[i]), Lanes::splat(along[i])));
+        let band = self.shape.inside_along(&place);
+        let [low, high] = [band.low().0[1], band.high().0[1]];
+        let holds = |share: i32| {
+            let inside = f64::from(self.shape.inside(middle + 0.25 * f64::from(share) * along));
+            low <= inside && inside <= high
+        };
+        let passed = (-4..=4).all(holds);
+        self.ask(Check::Enclosed, number, passed);
     }
 
     /// The rounding of a point that was computed from this ray.

@@ -3,14 +3,21 @@
 use std::sync::Arc;
 
 use super::{Container, Isosurface, Steepest};
-use crate::math::{DVec2, DVec3};
+use crate::math::{Band, DVec2, DVec3};
 use crate::world::image::{self, Image, ImageMap, Pixels};
 use crate::world::pattern::crackle::{Crackle, Metric};
-use crate::world::pattern::{Formula, Pattern, quilted};
-use crate::world::sample::Field;
+use crate::world::pattern::density_file::{self, DensityFile};
+use crate::world::pattern::mandel::{Fractal, Iteration};
+use crate::world::pattern::pavement::Pavement;
+use crate::world::pattern::penrose::Penrose;
+use crate::world::pattern::spiral::Spiral;
+use crate::world::pattern::tiling::Tiling;
+use crate::world::pattern::{Formula, Pattern, Wave, brick, quilted};
+use crate::world::sample::{Field, Inside};
 use crate::world::shape::Shape;
 use crate::world::shape::battery::Dice;
 use crate::world::shape::r#box::Cuboid;
+use crate::world::shape::torus::Torus;
 use crate::world::warp::{BlackHole, Mapping, Projection, Repeat, Warp, Warps};
 use crate::world::{Range, Ray};
 
@@ -45,7 +52,9 @@ fn has_no_holes(pattern: Pattern, threshold: f64) {
         let at = |step: u32| {
             stretch.enter.t + (stretch.leave.t - stretch.enter.t) * f64::from(step) / f64::from(PLACES)
         };
-        let first = (0..=PLACES).map(at).find(|t| function.at(ray.at(*t)) < threshold);
+        // What is thinner than the accuracy may be missed where a function jumps to and fro.
+        let is_below = |t: f64| t < stretch.leave.t && function.at(ray.at(t)) < threshold;
+        let first = (0..=PLACES).map(at).find(|t| (0..=4).all(|part| is_below(t + 3e-4 * f64::from(part))));
         let Some(first) = first else { continue };
         met += 1;
         let found = surface.nearest(&ray, Range::AHEAD);
@@ -71,6 +80,81 @@ fn surfaces_of_cells_have_no_holes() {
     has_no_holes(Pattern::plain(crackle([-1.0, 1.0, 0.0], 1.0, None)), 0.05);
     has_no_holes(Pattern::plain(crackle([1.0, 0.0, 0.0], 3.0, None)), 0.15);
     has_no_holes(Pattern::plain(crackle([1.0, 0.0, 0.0], 2.0, Some(2))), 0.4);
+    has_no_holes(Pattern::plain(crackle([-1.0, 1.0, 0.0], 0.7, None)), 0.05);
+    has_no_holes(Pattern::plain(Formula::Cubic), 1.5);
+    has_no_holes(Pattern::plain(Formula::Brick(brick::Brick::new(DVec3::new(0.8, 0.3, 0.5), 0.02))), 0.5);
+}
+
+#[test]
+fn surfaces_of_floors_have_no_holes() {
+    has_no_holes(Pattern::plain(Formula::Hexagon), 0.5);
+    has_no_holes(Pattern::plain(Formula::Triangular), 1.5);
+    has_no_holes(Pattern::plain(Formula::Tiling(Tiling::new(7).unwrap())), 0.3);
+    has_no_holes(Pattern::plain(Formula::Tiling(Tiling::new(11).unwrap())), 0.4);
+    has_no_holes(Pattern::plain(Formula::Penrose(Penrose::new(25).unwrap())), 0.3);
+    has_no_holes(Pattern::plain(Formula::Penrose(Penrose::new(27).unwrap())), 0.1);
+    for (floor, threshold) in [([3, 4, 2], 0.05), ([4, 5, 10], 0.03), ([6, 3, 1], 0.05)] {
+        let pavement = Pavement::new(floor, 2, 1, 2).unwrap();
+        has_no_holes(Pattern::plain(Formula::Pavement(Box::new(pavement))), threshold);
+    }
+}
+
+#[test]
+fn surfaces_of_spirals_have_no_holes() {
+    let spiral = Spiral { arms: 5.0, turbulence: None };
+    has_no_holes(Pattern { frequency: 3.0, ..Pattern::plain(Formula::Spiral1(spiral)) }, 0.05);
+    has_no_holes(Pattern { frequency: 3.0, ..Pattern::plain(Formula::Spiral2(spiral)) }, 0.05);
+}
+
+#[test]
+fn surfaces_of_fractals_have_no_holes() {
+    for (iteration, julia) in [
+        (Iteration::power(2), None),
+        (Iteration::power(2), Some(DVec2::new(-0.75, 0.1))),
+        (Iteration::power(3), None),
+        (Iteration::Magnet1, None),
+    ] {
+        let fractal = Fractal { iteration, julia, iterations: 30, interior: (0, 0.0), exterior: (1, 1.0) };
+        has_no_holes(Pattern::plain(Formula::Fractal(Box::new(fractal))), 0.02);
+    }
+}
+
+#[test]
+fn surfaces_of_solids_have_no_holes() {
+    #[derive(Debug)]
+    struct Solid(Torus);
+
+    impl Inside for Solid {
+        fn inside(&self, point: DVec3) -> bool {
+            self.0.inside(point)
+        }
+
+        fn enclose(&self, point: &[Band; 3]) -> Band {
+            self.0.inside_along(point)
+        }
+    }
+
+    let ring = Formula::Object(Arc::new(Solid(Torus { major: 1.2, minor: 0.2 })));
+    // Inside is what is below the threshold.
+    let outside = Pattern { frequency: 0.5, phase: 0.5, wave: Wave::Triangle, ..Pattern::plain(ring) };
+    has_no_holes(outside, 0.5);
+}
+
+#[test]
+fn surfaces_of_voxels_have_no_holes() {
+    let voxels: Arc<[u8]> = (0..8 * 8 * 8).map(|n: u32| if n % 17 == 3 { 0 } else { 200 }).collect();
+    for (interpolation, threshold) in [
+        (density_file::Interpolation::Nearest, 0.5),
+        (density_file::Interpolation::Trilinear, 0.6),
+        (density_file::Interpolation::Tricubic, 0.6),
+    ] {
+        let file = DensityFile { size: [8; 3], width: 1, voxels: voxels.clone(), interpolation };
+        let whole = crate::math::Transform::scale(DVec3::splat(4.0))
+            .then(&crate::math::Transform::translate(DVec3::splat(-2.0)));
+        let warps = Warps::new([Warp::Transform(Box::new(whole))]);
+        let file = Formula::DensityFile(Box::new(file));
+        has_no_holes(Pattern { warps, ..Pattern::plain(file) }, threshold);
+    }
 }
 
 #[test]
