@@ -134,7 +134,7 @@ fn surfaces_of_solids_have_no_holes() {
         }
     }
 
-    let ring = Formula::Object(Arc::new(Solid(Torus { major: 1.2, minor: 0.2 })));
+    let ring = Formula::Object(Arc::new(Solid(Torus { major: 1.2, minor: 0.4 })));
     // Inside is what is below the threshold.
     let outside = Pattern { frequency: 0.5, phase: 0.5, wave: Wave::Triangle, ..Pattern::plain(ring) };
     has_no_holes(outside, 0.5);
