@@ -56,6 +56,19 @@ impl Lanes {
         Self([pick(i, a, p), pick(j, b, q), pick(k, c, r), pick(l, d, s)])
     }
 
+    /// The sum of products, as that of vectors.
+    #[inline(always)]
+    pub fn dot(a: &[Self; 3], b: &[Self; 3]) -> Self {
+        a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    }
+
+    /// For each number whether `holds`, as a bit.
+    #[inline(always)]
+    pub fn bits(self, holds: impl Fn(f64) -> bool) -> u32 {
+        let [a, b, c, d] = self.0;
+        u32::from(holds(a)) | u32::from(holds(b)) << 1 | u32::from(holds(c)) << 2 | u32::from(holds(d)) << 3
+    }
+
     /// Whether all are above zero; what is no number is not.
     #[inline(always)]
     pub fn all_positive(self) -> bool {

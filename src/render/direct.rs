@@ -10,9 +10,6 @@ use crate::world::Light;
 use crate::world::light::{AreaLight, Incident, is_dark};
 use crate::world::object::LeafFlags;
 
-/// Cosines to a light below this count as facing away.
-const FACING: f64 = 1e-10;
-
 /// A lamp's light at a hit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arrival {
@@ -150,7 +147,7 @@ impl Tracer<'_> {
     }
 
     fn facing(&self, at: &At, surface: &Surface, to_light: &DVec3) -> bool {
-        at.leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || surface.normal.dot(*to_light) >= FACING
+        at.leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || surface.faces(to_light)
     }
 
     /// What a layer makes of the light `color` from one place.

@@ -9,6 +9,9 @@ use crate::world::light::power;
 use crate::world::texture::Finish;
 use crate::world::texture::Irid;
 
+/// Cosines to a light below this count as facing away.
+const FACING: f64 = 1e-10;
+
 /// Phong highlights this sharp end where the cosine is small.
 const SHARP_PHONG: f32 = 60.0;
 /// The cosine where they end.
@@ -32,6 +35,12 @@ pub(super) struct Surface<'a> {
 }
 
 impl Surface<'_> {
+    /// Whether it is lit from a direction.
+    #[inline]
+    pub(super) fn faces(&self, to_light: &DVec3) -> bool {
+        self.normal.dot(*to_light) >= FACING
+    }
+
     /// What of the light `color` from some direction is scattered towards the eye, from the front or
     /// through from the back.
     #[inline]

@@ -6,12 +6,18 @@ use super::Eye;
 use super::jitter::jitter;
 use super::sampling::Sample;
 use super::trace::Tracer;
-use crate::math::DVec2;
 use crate::math::noise::hashes;
-use crate::world::camera::{FocalBlur, Projection, film};
+use crate::math::wide::widest;
+use crate::math::{DVec2, Lanes};
+use crate::world::accel::Pencil;
+use crate::world::camera::{FocalBlur, Perspective, Projection, film};
+use crate::world::{RayKind, Rays};
 
 /// Sub-pixel places along an axis.
 const PLACES: usize = 16;
+
+/// Rays of a pixel stay within this of its middle, along both axes.
+const EDGE: f64 = 0.55;
 
 /// Where rays go through a pixel, by the numbers of the place from the left and from the top.
 static SHIFTS: LazyLock<[[DVec2; PLACES]; PLACES]> = LazyLock::new(|| {
@@ -61,19 +67,91 @@ impl Eye<'_> {
         let shifts = &*SHIFTS;
         let hashes = hashes();
         let place = |number: i32| usize::from(hashes[(number & 4095) as usize]) % PLACES;
+        let shifted = |index: usize| {
+            let number = seed.wrapping_add(index as i32);
+            let shift = shifts[place(number)][place(number.wrapping_add(1))];
+            (x + shift.x, y + shift.y)
+        };
+        let mut within = std::mem::take(&mut tracer.within);
+        let perspective = match &self.world.camera.projection {
+            Projection::Perspective(perspective) if self.world.camera.normal.is_none() => Some(perspective),
+            _ => None,
+        };
+        let straight = perspective.filter(|perspective| {
+            let pencil = self.pencil(blur, perspective, x, y);
+            pencil.is_some_and(|pencil| self.world.geometry.within(&pencil, &mut within))
+        });
+        // Where there is nothing but a sky of one colour, one ray tells what all see.
+        let world = self.world;
+        let empty = straight.is_some() && within.items().is_empty() && world.geometry.is_bounded();
+        let alike = empty && world.atmosphere.is_clear() && world.atmosphere.is_even();
+        let sky = alike.then(|| self.lens_sample(tracer, blur, x, y, 0));
         let mut sums = Sums::default();
+        let mut hits = [None; Lanes::COUNT];
         for batch in 0.. {
             let end = blur.max_samples().min(sums.count + blur.batch(batch));
             while sums.count < end {
-                let number = seed.wrapping_add(sums.count as i32);
-                let shift = shifts[place(number)][place(number.wrapping_add(1))];
-                sums.add(self.lens_sample(tracer, blur, x + shift.x, y + shift.y, sums.count));
+                if let Some(sky) = sky {
+                    sums.add(sky);
+                    continue;
+                }
+                let Some(perspective) = straight else {
+                    let (x, y) = shifted(sums.count);
+                    sums.add(self.lens_sample(tracer, blur, x, y, sums.count));
+                    continue;
+                };
+                let (first, count) = (sums.count, Lanes::COUNT.min(end - sums.count));
+                let mut places = [(x, y); Lanes::COUNT];
+                for lane in 0..count {
+                    places[lane] = shifted(first + lane);
+                }
+                let rays = self.four_rays(blur, perspective, &places, first);
+                self.world.geometry.hits(&within, &rays, count, RayKind::IMAGE, &mut hits);
+                for lane in 0..count {
+                    sums.add(self.met(tracer, rays.ray(lane), places[lane], &hits[lane]));
+                }
             }
             if end == blur.max_samples() || blur.is_enough(sums.count, || sums.variances()) {
                 break;
             }
         }
+        tracer.within = within;
         sums.mean()
+    }
+
+    /// All rays through the lens and the pixel at image coordinates; `None` where they may start where they are
+    /// in focus.
+    fn pencil(&self, blur: &FocalBlur, perspective: &Perspective, x: f64, y: f64) -> Option<Pencil> {
+        let corner = |a: f64, b: f64| {
+            perspective.direction(film(x + EDGE * a, y + EDGE * b, self.options.width, self.options.height))
+        };
+        blur.pencil(&[corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)])
+    }
+
+    /// The rays of four samples from number `first` on, through image coordinates.
+    #[inline]
+    fn four_rays(
+        &self,
+        blur: &FocalBlur,
+        perspective: &Perspective,
+        places: &[(f64, f64); Lanes::COUNT],
+        first: usize,
+    ) -> Rays {
+        let mut shifts = [DVec2::ZERO; Lanes::COUNT];
+        let (mut x, mut y) = (Lanes::ZERO, Lanes::ZERO);
+        for lane in 0..Lanes::COUNT {
+            (x.0[lane], y.0[lane]) = places[lane];
+            shifts[lane] = jitter(places[lane].0 + 0.5, places[lane].1 - 0.5);
+        }
+        widest(
+            #[inline(always)]
+            || {
+                // The place on the film, as `film` has it.
+                let x = (x + 0.5) / f64::from(self.options.width) - 0.5;
+                let y = -((y + 0.5) / f64::from(self.options.height)) + 0.5;
+                blur.rays(&perspective.directions(x, y), first, &shifts)
+            },
+        )
     }
 
     /// What ray `index` sees that goes through the lens and image coordinates.

@@ -10,6 +10,7 @@ mod jitter;
 mod lens;
 mod media;
 mod mirror;
+mod plain;
 mod quality;
 mod random;
 mod refract;
@@ -32,6 +33,7 @@ use crate::world::accel::Hull;
 use crate::world::atmosphere::Alpha;
 use crate::world::camera::mesh_camera::Place;
 use crate::world::camera::{MeshCamera, film};
+use crate::world::hit::Hit;
 use crate::world::{Ray, RayKind, World};
 use quality::Quality;
 use random::Random;
@@ -159,15 +161,30 @@ impl<'w> Eye<'w> {
     /// The colour and transmit along a ray through image coordinates, up to some distance.
     #[inline]
     fn seen(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64), reach: f64) -> Sample {
+        let path = self.set_off(tracer, ray, (x, y));
+        let seen = tracer.trace_within(path, reach);
+        let [r, g, b] = seen.color.to_array();
+        [r, g, b, seen.transmit]
+    }
+
+    /// The same along a ray of which it is known what it meets first.
+    #[inline]
+    fn met(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64), hit: &Option<Hit>) -> Sample {
+        let path = self.set_off(tracer, ray, (x, y));
+        let seen = tracer.trace_from(path, hit);
+        let [r, g, b] = seen.color.to_array();
+        [r, g, b, seen.transmit]
+    }
+
+    /// A ray of the camera, about to be traced.
+    #[inline]
+    fn set_off(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64)) -> Path {
         tracer.statistics.camera_rays += 1;
         tracer.random = Random::of_sample(x, y, self.options.seed);
         let inside = match &self.inside {
             Some(inside) => inside.clone(),
             None => Inside::of(self.world.interiors_around(ray.origin)),
         };
-        let path = Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, wavelength: None, inside };
-        let seen = tracer.trace_within(path, reach);
-        let [r, g, b] = seen.color.to_array();
-        [r, g, b, seen.transmit]
+        Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, wavelength: None, inside }
     }
 }

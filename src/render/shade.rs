@@ -368,6 +368,32 @@ impl Tracer<'_> {
         seen
     }
 
+    /// What a surface mirrors of which an opaque layer without bumps and film is all.
+    pub(super) fn mirrored_by(
+        &mut self,
+        path: &Path,
+        hit: &Hit,
+        surface: &Intersection,
+        finish: &Finish,
+        color: Rgb,
+    ) -> Rgb {
+        let leaf = self.world.geometry.parts().leaf(hit.leaf);
+        let attenuation = Rgb::ONE;
+        let at = At { path, hit, surface, leaf, attenuation, passage: None, plain: true, arrivals: None };
+        let reflectivity = self.reflectivity(&at, finish, &surface.normal, color);
+        let Some((reflection, reflectivity)) = finish.reflection.as_ref().zip(reflectivity) else {
+            return Rgb::ZERO;
+        };
+        let mirror = Mirror {
+            normal: surface.normal,
+            share: reflectivity.color,
+            weight: path.weight * reflectivity.weight,
+            exponent: reflection.exponent.recip(),
+            irid: None,
+        };
+        self.reflection(&at, &mirror)
+    }
+
     /// What a layer mirrors.
     fn reflection(&mut self, at: &At, mirror: &Mirror) -> Rgb {
         if mirror.share == Rgb::ZERO {

@@ -13,7 +13,7 @@ use crate::math::{DVec3, Rgb};
 use crate::world::hit::{Among, Hit};
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::LeafFlags;
-use crate::world::screen::{SHUT, Screen, sift};
+use crate::world::screen::{OPEN, SHUT, Screen, sift};
 use crate::world::{Intersection, Light, Range, Ray};
 
 /// The last part of the way to a light, where the surface that it lies on is not in its way.
@@ -50,18 +50,15 @@ impl Tracer<'_> {
             return self.known_unblocked(at, light, incident);
         };
         let geometry = &self.world.geometry;
-        let shaft = self.shafts.take(geometry, (number, light), at.surface, hit.t, self.pixel);
+        let shaft = self.shafts.find(geometry, (number, light), at.surface, hit.t, self.pixel);
         if let Some(shaft) = shaft {
-            let color = match light.area {
-                None if light.projected_through.is_none() => {
-                    self.past(at, hit.object, &shaft.1, light, incident)
-                }
-                _ => {
-                    let among = Some(Among::Screens(&shaft.1));
-                    self.known_unblocked(&Target { among, ..*at }, light, incident)
-                }
-            };
-            self.shafts.back(shaft);
+            if light.area.is_none() && light.projected_through.is_none() {
+                return self.past(at, hit.object, shaft, light, incident);
+            }
+            let screens = self.shafts.lend(shaft);
+            let among = Some(Among::Screens(&screens));
+            let color = self.known_unblocked(&Target { among, ..*at }, light, incident);
+            self.shafts.back(shaft, screens);
             return color;
         }
         let among = self.between(at, light, incident);
@@ -69,32 +66,34 @@ impl Tracer<'_> {
         self.known_unblocked(&Target { among, ..*at }, light, incident)
     }
 
-    /// The same where only `screens` may be in the way, for a lamp of one place and a hit of an object.
-    fn past(
-        &mut self,
-        at: &Target,
-        object: u32,
-        screens: &[Screen],
-        light: &Light,
-        incident: &Incident,
-    ) -> Rgb {
+    /// The same where only what is in a shaft may be in the way, for a lamp of one place and a hit of an object.
+    #[inline]
+    fn past(&mut self, at: &Target, object: u32, shaft: usize, light: &Light, incident: &Incident) -> Rgb {
         let surface = at.surface;
+        let geometry = &self.world.geometry;
         let outside = !surface.inside && incident.direction.dot(surface.geometric) > 0.0;
-        let left = outside && self.world.geometry.is_left_for_good(object);
-        let seen = screens.iter().filter(|screen| !(left && screen.object == object));
+        let is_left =
+            |screen: &Screen| screen.object == object && outside && geometry.is_left_for_good(object);
+        let seen = self.shafts.among(shaft).iter().filter(|screen| !is_left(screen));
         let seen = seen.map(|screen| (screen, Some(screen.as_seen())));
         let way = surface.leave(incident.direction) - light.location;
-        let mut near = std::mem::take(&mut self.near);
-        let verdict = sift(seen, way, &mut near);
-        let color = if verdict == SHUT {
-            self.statistics.shadow_rays += 1;
-            Rgb::ZERO
-        } else {
-            let among = Some(Among::Near(&near));
-            self.known_unblocked(&Target { among, ..*at }, light, incident)
-        };
-        self.near = near;
-        color
+        match sift(seen, way, &mut self.near) {
+            SHUT => {
+                self.statistics.shadow_rays += 1;
+                Rgb::ZERO
+            }
+            OPEN if !self.dims(light) => {
+                self.statistics.lights_open += 1;
+                incident.color
+            }
+            _ => {
+                let near = std::mem::take(&mut self.near);
+                let among = Some(Among::Near(&near));
+                let color = self.known_unblocked(&Target { among, ..*at }, light, incident);
+                self.near = near;
+                color
+            }
+        }
     }
 
     /// The same where what may be in the way was looked for.

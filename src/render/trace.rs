@@ -9,10 +9,11 @@ use super::shade::Mirror;
 use super::shadow::{Places, Shafts};
 use super::stats::Statistics;
 use crate::math::Rgb;
+use crate::world::accel::Within;
 use crate::world::atmosphere::Alpha;
 use crate::world::hit::Hit;
 use crate::world::screen::Screen;
-use crate::world::{Range, Ray, RayKind, World};
+use crate::world::{Light, Range, Ray, RayKind, World};
 
 /// A ray and what it brings along.
 #[derive(Clone, Debug)]
@@ -67,6 +68,8 @@ pub(super) struct Tracer<'w> {
     /// The lamps of a march through media, and what stands before them.
     pub(super) beams: Vec<Beam>,
     pub(super) between: Vec<Between>,
+    /// What the rays through the lens at hand may meet.
+    pub(super) within: Within,
     /// What may be in the way of the light at the sample of media at hand.
     pub(super) near: Vec<u32>,
     pub(super) screens: Vec<Screen>,
@@ -76,12 +79,19 @@ pub(super) struct Tracer<'w> {
     pub(super) shafts: Shafts,
     /// The size of a pixel at distance 1, roughly.
     pub(super) pixel: f64,
+    /// Whether anything may be shaded as what is [`plain`](Self::plain).
+    pub(super) plain: bool,
 }
 
 impl<'w> Tracer<'w> {
     /// A tracer without any history.
     pub(super) fn new(world: &'w World, quality: Quality, alpha: Alpha, pixel: f64) -> Self {
+        // Who lights place by place, or looks at nothing or at what is behind opaque layers, is another matter.
+        let by_place = |light: &Light| light.area.as_ref().is_some_and(|area| area.area_illumination);
+        let bailout = world.settings.adc_bailout;
+        let plain = !quality.flat && (0.0..1.0).contains(&bailout) && !world.lights.iter().any(by_place);
         Self {
+            plain,
             world,
             quality,
             alpha,
@@ -94,6 +104,7 @@ impl<'w> Tracer<'w> {
             blockers: vec![None; world.lights.len()],
             beams: Vec::new(),
             between: Vec::new(),
+            within: Within::default(),
             near: Vec::new(),
             screens: Vec::new(),
             places: Places::default(),
@@ -109,16 +120,29 @@ impl<'w> Tracer<'w> {
     }
 
     /// The same for a ray that misses what is not nearer than `reach`.
-    pub(super) fn trace_within(&mut self, mut path: Path, mut reach: f64) -> Seen {
-        let (mut color, mut transmit) = (Rgb::ZERO, 0.0);
-        // What the way so far leaves of the light and of the transparency behind.
-        let (mut left, mut clear) = (Rgb::ONE, 1.0);
+    pub(super) fn trace_within(&mut self, path: Path, reach: f64) -> Seen {
         if !self.allowed(&path) {
             return Seen::NOTHING;
         }
+        let hit = self.world.geometry.hit(&path.ray, Range { min: 0.0, max: reach }, path.kind);
+        self.follow(path, &hit)
+    }
+
+    /// The same for a ray of which it is known what it meets first.
+    pub(super) fn trace_from(&mut self, path: Path, hit: &Option<Hit>) -> Seen {
+        if self.allowed(&path) { self.follow(path, hit) } else { Seen::NOTHING }
+    }
+
+    /// Follows a ray from what it meets first.
+    #[inline]
+    fn follow(&mut self, mut path: Path, first: &Option<Hit>) -> Seen {
+        let mut hit = first;
+        let mut beyond;
+        let (mut color, mut transmit) = (Rgb::ZERO, 0.0);
+        // What the way so far leaves of the light and of the transparency behind.
+        let (mut left, mut clear) = (Rgb::ONE, 1.0);
         path.level += 1;
         loop {
-            let hit = self.world.geometry.hit(&path.ray, Range { min: 0.0, max: reach }, path.kind);
             if self.is_airy(&path, hit.is_some()) {
                 let veil = self.air(&path, hit.as_ref());
                 color += left * veil.added;
@@ -126,13 +150,17 @@ impl<'w> Tracer<'w> {
                 clear *= veil.transmit;
             }
             // By reference: copying what was only just written would wait for it.
-            let Some(hit) = &hit else {
+            let Some(met) = hit else {
                 let sky = self.sky(&path);
                 color += left * sky.color;
                 transmit += clear * sky.transmit;
                 break;
             };
-            let shaded = self.shade(&path, hit);
+            if let Some(seen) = self.plain(&path, met) {
+                color += left * seen;
+                break;
+            }
+            let shaded = self.shade(&path, met);
             color += left * shaded.color;
             transmit += clear * shaded.transmit;
             let Some(onward) = shaded.onward else { break };
@@ -140,12 +168,13 @@ impl<'w> Tracer<'w> {
             left *= onward.left;
             clear *= onward.clear;
             path.ray = onward.ray;
-            reach = f64::INFINITY;
             path.weight = onward.weight;
             path.inside = onward.inside;
             if !self.allowed(&path) {
                 break;
             }
+            beyond = self.world.geometry.hit(&path.ray, Range::AHEAD, path.kind);
+            hit = &beyond;
         }
         Seen { color, transmit }
     }

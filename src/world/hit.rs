@@ -58,7 +58,7 @@ pub struct Hit {
 
 impl Hit {
     #[inline]
-    fn new(found: Found, object: u32) -> Self {
+    pub(super) fn new(found: Found, object: u32) -> Self {
         Self { t: found.t(), crossing: found.crossing, leaf: found.leaf, object }
     }
 }
@@ -128,6 +128,18 @@ impl Geometry {
         &self.parts
     }
 
+    /// What has a box.
+    #[inline]
+    pub(super) fn bounded(&self) -> &Accel {
+        &self.bounded
+    }
+
+    /// What has none, by number.
+    #[inline]
+    pub(super) fn unbounded(&self) -> &[u32] {
+        &self.unbounded
+    }
+
     /// The box around an object.
     #[inline]
     pub fn bounds(&self, object: u32) -> Bounds {
@@ -165,7 +177,7 @@ impl Geometry {
 
     /// Whether a hit is at the same distance as one of the ground, as far as rounding tells.
     #[inline]
-    fn stands_on(&self, ray: &Ray, best: &Hit, ground: &Hit) -> bool {
+    pub(super) fn stands_on(&self, ray: &Ray, best: &Hit, ground: &Hit) -> bool {
         best.object != ground.object
             && self.parts.coincide(ray, ground.leaf, &ground.crossing, ground.t - best.t)
     }

@@ -23,6 +23,7 @@ pub mod settings;
 pub mod shape;
 pub mod surface;
 pub mod texture;
+pub mod together;
 pub mod warp;
 
 pub use atmosphere::Atmosphere;
@@ -34,7 +35,7 @@ pub use light::Light;
 pub use media::Media;
 pub use needs::Needs;
 pub use object::{Leaf, Member, RayKind};
-pub use ray::{Range, Ray};
+pub use ray::{Range, Ray, Rays};
 pub use sample::{Colors, Field, Inside, Sample};
 pub use settings::Settings;
 pub use shape::{Crossing, Shape};

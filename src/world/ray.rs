@@ -1,6 +1,6 @@
 //! Rays and the stretch of them that counts.
 
-use crate::math::{DVec3, Transform};
+use crate::math::{DVec3, Lanes, Transform};
 
 /// A half-line. World-space rays have unit directions; in an object's space the direction keeps
 /// whatever length the transform gives it, so a distance `t` means the same point in every space.
@@ -45,6 +45,24 @@ impl Ray {
             origin: transform.inverse_point(self.origin),
             direction: transform.inverse_vector(self.direction),
         }
+    }
+}
+
+/// Four rays side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Rays {
+    /// Where they start, by axes.
+    pub origin: [Lanes; 3],
+    /// Where they go.
+    pub direction: [Lanes; 3],
+}
+
+impl Rays {
+    /// One of them.
+    #[inline(always)]
+    pub fn ray(&self, lane: usize) -> Ray {
+        let vector = |[x, y, z]: &[Lanes; 3]| DVec3::new(x.0[lane], y.0[lane], z.0[lane]);
+        Ray { origin: vector(&self.origin), direction: vector(&self.direction) }
     }
 }
 

@@ -49,7 +49,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 impl Geometry {
     /// Works out a hit of `ray`.
-    #[inline]
+    #[inline(always)]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Intersection {
         let leaf = self.parts().leaf(hit.leaf);
         let [point, textured, normal, geometric] = match &leaf.transform {

@@ -53,16 +53,17 @@ struct Shaft {
 
 impl Shafts {
     /// The objects that may be in the way between a surface that is seen from a `distance` and a lamp;
-    /// `None` where finding them isn't worth while, or they are many. Give them [`back`](Self::back).
+    /// `None` where finding them isn't worth while, or they are many; else where [`among`](Self::among) has them.
     /// `pixel` is the size of a pixel at distance 1.
-    pub(super) fn take(
+    #[inline]
+    pub(super) fn find(
         &mut self,
         geometry: &Geometry,
         (number, light): (u32, &Light),
         surface: &Intersection,
         distance: f64,
         pixel: f64,
-    ) -> Option<(usize, Vec<Screen>)> {
+    ) -> Option<usize> {
         if light.runs_parallel() {
             return None;
         }
@@ -78,20 +79,37 @@ impl Shafts {
         shaft.asked = shaft.asked.saturating_add(1);
         let worth = if light.area.is_some() { 1 } else { WORTH };
         if shaft.asked == worth {
-            let hull = cell.hull(width, light);
-            shaft.among = hull.and_then(|hull| geometry.between(&hull)).map(|found| found.to_vec());
+            shaft.among = look(geometry, cell, width, light);
         }
-        Some((slot, shaft.among.take()?))
+        shaft.among.is_some().then_some(slot)
+    }
+
+    /// What was found.
+    #[inline]
+    pub(super) fn among(&self, slot: usize) -> &[Screen] {
+        self.cells[slot].among.as_deref().unwrap_or_default()
+    }
+
+    /// The same for those who need the shafts at the same time. Give them [`back`](Self::back).
+    pub(super) fn lend(&mut self, slot: usize) -> Vec<Screen> {
+        self.cells[slot].among.take().unwrap_or_default()
     }
 
     /// Takes back what was lent.
-    pub(super) fn back(&mut self, (slot, among): (usize, Vec<Screen>)) {
+    pub(super) fn back(&mut self, slot: usize, among: Vec<Screen>) {
         self.cells[slot].among = Some(among);
     }
 }
 
+/// The objects between a cell and a lamp; `None` if they are many.
+#[cold]
+fn look(geometry: &Geometry, cell: Cell, width: f64, light: &Light) -> Option<Vec<Screen>> {
+    geometry.between(&cell.hull(width, light)?).map(|found| found.to_vec())
+}
+
 impl Cell {
     /// The cell around a point of a surface, at least so wide, and its width.
+    #[inline]
     fn around(light: u32, surface: &Intersection, width: f64) -> Option<(Self, f64)> {
         let exponent = width.to_bits() >> 52;
         if !EXPONENTS.contains(&exponent) {
@@ -106,6 +124,7 @@ impl Cell {
     }
 
     /// Where it is remembered.
+    #[inline]
     fn slot(&self) -> usize {
         let Self { light, size, place: [x, y, z] } = *self;
         let mix = |mixed: u32, number: u32| (mixed.rotate_left(11) ^ number).wrapping_mul(0x9e37_79b9);

@@ -168,8 +168,24 @@ impl Bvh {
     }
 
     /// A point in the space of the boxes.
-    fn inner(&self, point: DVec3) -> DVec3 {
+    pub(super) fn inner(&self, point: DVec3) -> DVec3 {
         (point - self.center) * self.scale
+    }
+
+    /// What rounding in double precision does to a point near the boxes, in their space.
+    pub(super) fn blur(&self) -> f32 {
+        self.blur
+    }
+
+    /// The nodes; the first is the root.
+    #[inline(always)]
+    pub(super) fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// Where the boxes' space has its origin, and how much larger it is.
+    pub(super) fn place(&self) -> (DVec3, f64) {
+        (self.center, self.scale)
     }
 
     /// See [`Accel::along`](super::Accel::along).
@@ -363,6 +379,12 @@ fn take(near: &[f32; WIDTH], node: &Node, met: &mut u32) -> Waiting {
     let lane = met.trailing_zeros() as usize % WIDTH;
     *met &= met.wrapping_sub(1);
     Waiting::new(near[lane], node.children[lane])
+}
+
+/// The item of a leaf that is no run.
+#[inline(always)]
+pub(super) fn item(child: u32) -> Option<u32> {
+    (child & LEAF != 0).then_some(child & !LEAF)
 }
 
 /// The items of a leaf.

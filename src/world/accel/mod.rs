@@ -9,6 +9,7 @@ mod hull;
 mod linear;
 mod node;
 mod octree;
+mod pencil;
 #[cfg(test)]
 mod tests;
 
@@ -16,6 +17,7 @@ pub use bvh::Bvh;
 pub use hull::{Hull, Points};
 pub use linear::{Linear, Slabs};
 pub use octree::Octree;
+pub use pencil::{Four, Pencil, Within};
 
 use super::ray::{Range, Ray};
 use crate::math::{Bounds, DVec3};
@@ -61,6 +63,14 @@ impl Accel {
             Self::Linear(linear) => linear.along(ray, range, visit),
             Self::Octree(octree) => octree.along(ray, range, visit),
             Self::Bvh(bvh) => bvh.along(ray, range, visit),
+        }
+    }
+
+    /// Whether the items that rays of a pencil may meet are few, and were found.
+    pub fn within(&self, pencil: &Pencil, within: &mut Within) -> bool {
+        match self {
+            Self::Bvh(bvh) => bvh.within(pencil, within),
+            _ => false,
         }
     }
 

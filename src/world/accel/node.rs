@@ -49,12 +49,17 @@ impl Node {
         }
     }
 
+    /// The low faces and the high ones along an axis.
+    #[inline(always)]
+    pub(super) fn faces(&self, axis: usize) -> &[Lanes; 2] {
+        &self.faces[axis]
+    }
+
     /// The box of a child, empty where there is none.
     pub(super) fn bounds(&self, lane: usize) -> Bounds {
-        let corner = |side: usize| {
-            let [x, y, z] = self.faces.map(|faces| f64::from(faces[side][lane]));
-            DVec3::new(x, y, z)
-        };
+        // Not by `map` of the array: that is not compiled together with what is around it.
+        let face = |axis: usize, side: usize| f64::from(self.faces[axis][side][lane]);
+        let corner = |side: usize| DVec3::new(face(0, side), face(1, side), face(2, side));
         Bounds { min: corner(0), max: corner(1) }
     }
 

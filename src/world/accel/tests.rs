@@ -1,7 +1,8 @@
 //! All kinds must find the same: random boxes at all sizes and places, asked with random rays.
 
 use super::*;
-use crate::math::Bounds;
+use crate::math::{Bounds, Lanes};
+use crate::world::ray::Rays;
 
 /// A small generator of repeatable numbers.
 struct Numbers(u64);
@@ -137,6 +138,52 @@ fn every_kind_finds_the_same_boxes_around_a_point() {
             }
             assert!(found.len() < 100, "{} of 400 boxes asked", found.len());
         }
+    }
+}
+
+#[test]
+fn a_pencil_lists_every_box_that_one_of_its_rays_meets() {
+    let mut numbers = Numbers(5);
+    for (size, at) in
+        [(1.0, DVec3::ZERO), (1e-8, DVec3::new(1.0, 2.0, 3.0)), (1e8, DVec3::ZERO), (1.0, DVec3::splat(1e7))]
+    {
+        let boxes = boxes(&mut numbers, 300, size, at);
+        let tree = Accel::new(boxes.clone(), Accelerator::Bvh);
+        let (mut within, mut met) = (Within::default(), 0);
+        for turn in 0..400 {
+            let mut around = |far: f64| {
+                let (middle, half) = (numbers.vector() * far, numbers.vector() * 0.1);
+                Bounds::new(at + size * (middle - half), at + size * (middle + half))
+            };
+            let pencil = Pencil { from: around(if turn % 2 == 0 { 2.0 } else { 0.5 }), through: around(1.0) };
+            if !tree.within(&pencil, &mut within) {
+                continue;
+            }
+            let mut point = |of: Bounds| of.min + of.size() * (numbers.vector() + 1.0) / 2.0;
+            let mut rays = Rays { origin: [Lanes::ZERO; 3], direction: [Lanes::ZERO; 3] };
+            for lane in 0..Lanes::COUNT {
+                let (origin, target) = (point(pencil.from), point(pencil.through));
+                let direction = (target - origin).normalize();
+                for axis in 0..3 {
+                    rays.origin[axis].0[lane] = origin[axis];
+                    rays.direction[axis].0[lane] = direction[axis];
+                }
+            }
+            let four = Four::new(&rays, &within);
+            for (lane, (bounds, item)) in (0..4).flat_map(|lane| boxes.iter().map(move |item| (lane, item))) {
+                let Some(entry) = Slabs::new(&rays.ray(lane)).entry(bounds, Range::AHEAD) else { continue };
+                let boxed = within.items().iter().find(|boxed| boxed.number == *item).unwrap();
+                assert!(boxed.entry <= entry.max(0.0), "size {size}, turn {turn}");
+                for end in [entry.max(0.0), f64::INFINITY] {
+                    assert!(
+                        four.meet(boxed, &Lanes::splat(end)) >> lane & 1 == 1,
+                        "size {size}, turn {turn}"
+                    );
+                }
+                met += 1;
+            }
+        }
+        assert!(met > 500, "size {size}: the rays met {met} boxes");
     }
 }
 

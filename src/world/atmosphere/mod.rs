@@ -101,6 +101,11 @@ impl Atmosphere {
         Sky { color, transmit: grey(through).abs().min(1.0) }
     }
 
+    /// Whether the sky is of one colour.
+    pub fn is_even(&self) -> bool {
+        self.sky_sphere.as_ref().is_none_or(SkySphere::is_even)
+    }
+
     /// What rainbows do to light that comes `distance` along the ray.
     /// `random` gives numbers uniform in 0 … 1.
     pub fn rainbow(&self, ray: &Ray, distance: f64, random: &mut dyn FnMut() -> f64) -> Veil {

@@ -16,6 +16,11 @@ pub struct SkySphere {
 }
 
 impl SkySphere {
+    /// Whether it is of one colour.
+    pub(super) fn is_even(&self) -> bool {
+        self.pigments.iter().all(|pigment| matches!(**pigment, Pigment::Color(_)))
+    }
+
     /// The sky's own light in a direction, and the share of the background's it lets through.
     pub(super) fn color(&self, direction: DVec3) -> (Rgb, Rgb) {
         let start = (Rgb::ZERO, Rgb::ONE);

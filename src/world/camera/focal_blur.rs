@@ -5,9 +5,10 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Frame, bokeh};
 use crate::math::confidence::thresholds;
-use crate::math::{DVec2, DVec3};
-use crate::world::Ray;
+use crate::math::{Bounds, DVec2, DVec3, Lanes};
+use crate::world::accel::Pencil;
 use crate::world::texture::Pigment;
+use crate::world::{Ray, Rays};
 
 /// A lens and when enough rays went through it.
 #[derive(Clone, Debug)]
@@ -45,6 +46,12 @@ pub struct Lens {
     pub variance: f64,
 }
 
+/// The square of the least distance of which rays have a direction.
+const LEAST_SQUARE: f64 = 1e-200;
+
+/// Boxes around rays are larger than computed by this share of their coordinates, more than rounding takes.
+const ROOM: f64 = 1e-12;
+
 impl FocalBlur {
     /// The lens of a camera; `bokeh` is its brightness over the unit square.
     pub fn new(frame: &Frame, lens: &Lens, bokeh: Option<&Pigment>) -> Self {
@@ -78,10 +85,50 @@ impl FocalBlur {
         Ray::new(self.location + offset, (direction * self.focus - offset).normalize_or_zero())
     }
 
+    /// The same for four directions and the samples from number `first` on; where there are no more, the last
+    /// again. The directions are unit where [`FocalBlur::pencil`] has the rays.
+    #[inline(always)]
+    pub fn rays(&self, directions: &[Lanes; 3], first: usize, shifts: &[DVec2; Lanes::COUNT]) -> Rays {
+        let (mut x, mut y) = (Lanes::ZERO, Lanes::ZERO);
+        for lane in 0..Lanes::COUNT {
+            let place = self.places[(first + lane).min(self.places.len() - 1)];
+            let place = place + 2.0 * self.spread * shifts[lane];
+            (x.0[lane], y.0[lane]) = (place.x, place.y);
+        }
+        let [across, upward] = self.axes.map(|axis| axis.to_array());
+        let location = self.location.to_array();
+        let mut rays = Rays { origin: [Lanes::ZERO; 3], direction: *directions };
+        for axis in 0..3 {
+            let offset = x * across[axis] - y * upward[axis];
+            rays.origin[axis] = offset + location[axis];
+            rays.direction[axis] = directions[axis] * self.focus - offset;
+        }
+        let length = Lanes::dot(&rays.direction, &rays.direction).sqrt();
+        let inverse = Lanes::splat(1.0) / length;
+        for axis in 0..3 {
+            rays.direction[axis] = rays.direction[axis] * inverse;
+        }
+        rays
+    }
+
     /// The middle of the lens, and the corners of a square around all places where rays start.
     pub fn extent(&self) -> (DVec3, [DVec3; 4]) {
         let [x, y] = self.axes.map(|axis| (0.5 + self.spread) * axis);
         (self.location, [x + y, x - y, y - x, -x - y].map(|corner| self.location + corner))
+    }
+
+    /// The rays from all over the lens for directions, not normalised, that are between four; `None` where
+    /// rays may start where they are in focus.
+    pub fn pencil(&self, directions: &[DVec3; 4]) -> Option<Pencil> {
+        let room = |bounds: Bounds| {
+            let room = ROOM * bounds.min.abs().max(bounds.max.abs()).max_element();
+            Bounds { min: bounds.min - room, max: bounds.max + room }
+        };
+        let from = room(Bounds::of(self.extent().1));
+        let through = directions.iter().map(|&direction| self.location + direction * self.focus);
+        let through = room(Bounds::of(through));
+        let apart = (through.min - from.max).max(from.min - through.max).max(DVec3::ZERO);
+        (apart.length_squared() > LEAST_SQUARE).then_some(Pencil { from, through })
     }
 
     /// The most rays a pixel gets.

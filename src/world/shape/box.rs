@@ -2,8 +2,8 @@
 
 use super::stretch::{End, Stretch, UNSAID};
 use super::{Crossing, Shape};
-use crate::math::{Band, Bounds, DVec2, DVec3};
-use crate::world::{Range, Ray};
+use crate::math::{Band, Bounds, DVec2, DVec3, Lanes};
+use crate::world::{Range, Ray, Rays};
 
 /// An axis-aligned box, faces included. Parts: -x, +x, -y, +y, -z, +z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +70,71 @@ impl Cuboid {
         End { t: faces.far[axis], part: 2 * axis as u32 + u32::from(ray.direction[axis] > 0.0) }
     }
 
+    /// The nearest crossings ahead of four rays, as [`Shape::nearest`] finds them, and the numbers of their faces;
+    /// no number for none. Crossings beyond `ends` need not be found.
+    #[inline(always)]
+    pub(super) fn nearest_of_four(&self, rays: &Rays, ends: Lanes) -> Option<[Lanes; 2]> {
+        let (min, max) = (self.min.to_array(), self.max.to_array());
+        let (mut near, mut far) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
+        let (mut enter, mut leave) = (Lanes::splat(f64::NEG_INFINITY), ends);
+        let mut steep = Lanes::splat(1.0);
+        for axis in 0..3 {
+            let (o, d) = (rays.origin[axis], rays.direction[axis]);
+            let low = (-o + min[axis]) / d;
+            let high = (-o + max[axis]) / d;
+            near[axis] = low.where_positive(d, high);
+            far[axis] = high.where_positive(d, low);
+            enter = enter.zip(near[axis], |enter, near| if near > enter { near } else { enter });
+            leave = leave.zip(far[axis], |leave, far| if far < leave { far } else { leave });
+            steep = steep * d;
+        }
+        // Where faces meet, the one that gives the crossing may be a little nearer than the other.
+        let gap = enter - leave - enter.abs() * (4.0 * EDGE);
+        let may = gap.zip(leave, |gap, leave| if gap > 0.0 || leave <= 0.0 { 0.0 } else { 1.0 });
+        let odd = steep.bits(|steep| steep == 0.0);
+        let mut asked = may.bits(|may| may > 0.0) | odd;
+        if asked == 0 {
+            return None;
+        }
+        let (mut nearest, mut parts) = (Lanes::splat(f64::NAN), Lanes::ZERO);
+        while asked != 0 {
+            let lane = asked.trailing_zeros() as usize % Lanes::COUNT;
+            asked &= asked - 1;
+            let ray = rays.ray(lane);
+            let of =
+                |distances: &[Lanes; 3]| [distances[0].0[lane], distances[1].0[lane], distances[2].0[lane]];
+            let faces = match odd >> lane & 1 {
+                0 => Some(Faces { near: of(&near), far: of(&far) }),
+                _ => self.faces(&ray),
+            };
+            let end = faces.and_then(|faces| Self::first(&faces, &ray, Range::AHEAD));
+            if let Some(End { t, part }) = end {
+                nearest.0[lane] = t;
+                parts.0[lane] = f64::from(part);
+            }
+        }
+        Some([nearest, parts])
+    }
+
+    /// The nearer end in `range` of the stretch between faces.
+    #[inline(always)]
+    fn first(faces: &Faces, ray: &Ray, range: Range) -> Option<End> {
+        let (enter, leave) = faces.between();
+        let room = EDGE * enter.abs();
+        if enter - leave > room || leave <= range.min && range.min - leave > EDGE * leave.abs() {
+            return None;
+        }
+        let (first, last) = (Self::enter(faces, ray), || Self::leave(faces, ray));
+        // Rounding can only spoil the order of the ends where the line grazes an edge.
+        if leave - enter <= room && first.t > last().t {
+            return None;
+        }
+        if range.contains(first.t) {
+            return Some(first);
+        }
+        Some(last()).filter(|end| range.contains(end.t))
+    }
+
     /// The distances between which a line is inside.
     #[inline]
     pub(super) fn span(&self, ray: &Ray) -> Option<Stretch> {
@@ -124,21 +189,7 @@ impl Shape for Cuboid {
 
     #[inline]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let faces = self.faces(ray)?;
-        let (enter, leave) = faces.between();
-        let room = EDGE * enter.abs();
-        if enter - leave > room || leave <= range.min && range.min - leave > EDGE * leave.abs() {
-            return None;
-        }
-        let (first, last) = (Self::enter(&faces, ray), || Self::leave(&faces, ray));
-        // Rounding can only spoil the order of the ends where the line grazes an edge.
-        if leave - enter <= room && first.t > last().t {
-            return None;
-        }
-        if range.contains(first.t) {
-            return Some(first.into());
-        }
-        Some(last()).filter(|end| range.contains(end.t)).map(Crossing::from)
+        Self::first(&self.faces(ray)?, ray, range).map(Crossing::from)
     }
 
     #[inline]

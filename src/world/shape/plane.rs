@@ -2,8 +2,8 @@
 
 use super::stretch::Stretch;
 use super::{Crossing, Shape};
-use crate::math::{Band, Bounds, DVec3};
-use crate::world::{Range, Ray};
+use crate::math::{Band, Bounds, DVec3, Lanes};
+use crate::world::{Range, Ray, Rays};
 
 /// The half-space `normal · p <= distance`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +23,14 @@ impl Plane {
         let terms = self.normal * point;
         let size = terms.x.abs() + terms.y.abs() + terms.z.abs() + self.distance.abs();
         (terms.x + terms.y + terms.z - self.distance, size)
+    }
+
+    /// The crossings of four rays; no number, or not ahead, for none.
+    #[inline(always)]
+    pub(super) fn nearest_of_four(&self, rays: &Rays) -> Lanes {
+        let [x, y, z] = self.normal.to_array();
+        let along = |[a, b, c]: &[Lanes; 3]| *a * x + *b * y + *c * z;
+        -(along(&rays.origin) - self.distance) / along(&rays.direction)
     }
 
     /// The half-line inside.

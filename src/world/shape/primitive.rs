@@ -14,8 +14,8 @@ use super::stretch::Stretch;
 use super::torus::Torus;
 use super::triangle::Triangle;
 use super::{Crossing, Remark, Shape};
-use crate::math::{Band, Bounds, DVec2, DVec3};
-use crate::world::{Range, Ray};
+use crate::math::{Band, Bounds, DVec2, DVec3, Lanes};
+use crate::world::{Range, Ray, Rays};
 
 /// A primitive in its own space; copies share what is big.
 #[derive(Clone, Debug)]
@@ -81,6 +81,25 @@ impl Primitive {
             Self::Box(cuboid) => cuboid.span(ray),
             _ => self.convex(ray)?,
         }
+    }
+
+    /// The nearest crossings ahead of four rays and the numbers of their parts, as [`Shape::nearest`] finds them,
+    /// where it is quicker to ask for four than for one: no number for none, and the outer `None` where there is
+    /// none at all. Crossings beyond `ends` need not be found.
+    #[inline(always)]
+    pub fn nearest_of_four(&self, rays: &Rays, ends: Lanes) -> Option<[Lanes; 2]> {
+        match self {
+            Self::Sphere(sphere) => Some([sphere.nearest_of_four(rays)?, Lanes::ZERO]),
+            Self::Box(cuboid) => cuboid.nearest_of_four(rays, ends),
+            Self::Plane(plane) => Some([plane.nearest_of_four(rays), Lanes::ZERO]),
+            _ => None,
+        }
+    }
+
+    /// Whether [`Primitive::nearest_of_four`] knows it.
+    #[inline(always)]
+    pub fn takes_four(&self) -> bool {
+        matches!(self, Self::Sphere(_) | Self::Box(_) | Self::Plane(_))
     }
 
     /// Where a line is inside, if the shape is convex and all of its border is surface; the inner
@@ -190,5 +209,50 @@ impl Shape for Primitive {
 
     fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
         each!(self, shape => shape.reproject(point, crossing))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::dice::numbers;
+
+    #[test]
+    fn four_rays_meet_what_each_of_them_meets() {
+        let shapes = [
+            Primitive::Sphere(Sphere { center: DVec3::new(0.5, 0.0, -0.5), radius: 1.0 }),
+            Primitive::Sphere(Sphere { center: DVec3::ZERO, radius: -1.5 }),
+            Primitive::Box(Cuboid { min: DVec3::splat(-1.0), max: DVec3::new(1.0, 0.5, 2.0) }),
+            Primitive::Plane(Plane { normal: DVec3::Y, distance: 0.5 }),
+        ];
+        let mut number = numbers(23);
+        let mut met = 0;
+        for turn in 0..40_000 {
+            let shape = &shapes[turn % shapes.len()];
+            let mut rays = Rays { origin: [Lanes::ZERO; 3], direction: [Lanes::ZERO; 3] };
+            for lane in 0..Lanes::COUNT {
+                let mut point = || DVec3::new(number(), number(), number());
+                let (mut origin, mut target) = (6.0 * point(), 3.0 * point());
+                // Places on a grid make rays along axes, and such that graze faces, edges and poles.
+                if turn % 3 == 0 {
+                    (origin, target) = ((origin * 2.0).round() / 2.0, (target * 2.0).round() / 2.0);
+                }
+                let direction = (target - origin).try_normalize().unwrap_or(DVec3::Z);
+                for axis in 0..3 {
+                    rays.origin[axis].0[lane] = origin[axis];
+                    rays.direction[axis].0[lane] = direction[axis];
+                }
+            }
+            let end = if turn % 5 == 0 { 2.0 } else { f64::INFINITY };
+            let together = shape.nearest_of_four(&rays, Lanes::splat(end));
+            for lane in 0..Lanes::COUNT {
+                let alone = shape.nearest(&rays.ray(lane), Range { min: 0.0, max: end.next_up() });
+                let found = together.map(|[t, part]| (t.0[lane], part.0[lane] as u32));
+                let found = found.filter(|(t, _)| *t > 0.0 && *t <= end && *t < f64::INFINITY);
+                assert_eq!(found, alone.map(|crossing| (crossing.t, crossing.part)), "{:?}", rays.ray(lane));
+                met += u32::from(found.is_some());
+            }
+        }
+        assert!(met > 40_000, "{met}");
     }
 }

@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use super::stretch::Stretch;
 use super::{Crossing, Shape};
-use crate::math::{Band, Bounds, DVec2, DVec3, roots};
-use crate::world::{Range, Ray};
+use crate::math::{Band, Bounds, DVec2, DVec3, Lanes, roots};
+use crate::world::{Range, Ray, Rays};
 
 /// A sphere; a negative radius turns its normals inward.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +43,43 @@ impl Sphere {
 }
 
 impl Sphere {
+    /// The nearest crossings ahead of four rays, as [`Shape::nearest`] finds them; no number for none.
+    #[inline(always)]
+    pub(super) fn nearest_of_four(&self, rays: &Rays) -> Option<Lanes> {
+        let (center, d) = (self.center.to_array(), &rays.direction);
+        let mut f = rays.origin;
+        for axis in 0..3 {
+            f[axis] = f[axis] - center[axis];
+        }
+        let (a, b, far) = (Lanes::dot(d, d), Lanes::dot(&f, d), Lanes::dot(&f, &f));
+        let square = self.radius * self.radius;
+        let reach = b * b - a * (far * MISSED - square);
+        if reach.bits(|reach| reach < 0.0) == 15 {
+            return None;
+        }
+        let along = b / a;
+        for axis in 0..3 {
+            f[axis] = f[axis] - along * d[axis];
+        }
+        let chord = -Lanes::dot(&f, &f) + square;
+        let discriminant = a * chord;
+        let q = -(b + discriminant.sqrt().zip(b, f64::copysign));
+        let (one, other) = (q / a, (far - square) / q);
+        let enter = one.zip(other, |one, other| if one < other { one } else { other });
+        let leave = one.zip(other, |one, other| if one < other { other } else { one });
+        let mut nearest = enter.where_positive(enter, leave);
+        if (chord * q).bits(|product| product == 0.0) != 0 {
+            for lane in 0..Lanes::COUNT {
+                let tangent = if chord.0[lane] == 0.0 { -along.0[lane] } else { f64::NAN };
+                if chord.0[lane] == 0.0 || q.0[lane] == 0.0 {
+                    nearest.0[lane] = tangent;
+                }
+            }
+        }
+        let nearest = nearest.zip(reach, |nearest, reach| if reach < 0.0 { f64::NAN } else { nearest });
+        Some(nearest)
+    }
+
     /// The surface's point next to a computed one, and its unit normal there.
     #[inline]
     pub(super) fn touched(&self, point: DVec3) -> (DVec3, DVec3) {

@@ -1,0 +1,220 @@
+//! Rays that travel together: what a pencil of them may meet is found once, and four of its rays at a time are
+//! held against the boxes of that.
+
+use glam::Vec4;
+
+use super::bvh::Bvh;
+use super::node::{self, NEAR, Node, SLACK, WIDTH};
+use crate::math::{Bounds, DVec3, Lanes, tally};
+use crate::world::ray::Rays;
+
+/// Beyond so many boxes a pencil is too wide to be worth while.
+const MOST: usize = 24;
+
+/// Rays are not followed farther than so many times their way from one box of the pencil to the other.
+const LAST: f32 = 1e30;
+
+/// Slopes are kept away from zero, so that none has an infinite inverse.
+const LEAST_SLOPE: f32 = 1e-30;
+
+/// The same for distances that are taken for shorter than they are.
+const NEARER: f64 = 0.999;
+
+/// Makes up for rounding in single precision.
+const UP: f64 = 1.0 + 4.0 * SLACK as f64;
+
+/// All rays that start in a box and go through a point of another.
+#[derive(Clone, Copy, Debug)]
+pub struct Pencil {
+    /// Where they start.
+    pub from: Bounds,
+    /// Where they go through.
+    pub through: Bounds,
+}
+
+/// What the rays of a pencil may meet, the nearest first.
+#[derive(Debug, Default)]
+pub struct Within {
+    items: Vec<Boxed>,
+    /// The space of the boxes.
+    center: DVec3,
+    scale: f64,
+}
+
+impl Within {
+    /// The items.
+    #[inline]
+    pub fn items(&self) -> &[Boxed] {
+        &self.items
+    }
+}
+
+/// An item, and a box around it in the space of the tree, large enough to make up for the rounding of rays.
+#[derive(Clone, Copy, Debug)]
+pub struct Boxed {
+    low: [f32; 3],
+    high: [f32; 3],
+    /// No ray of the pencil enters it at a shorter distance.
+    pub entry: f64,
+    /// The item.
+    pub number: u32,
+}
+
+/// The border of a pencil on one side of an axis, by a parameter that grows along it.
+#[derive(Clone, Copy)]
+struct Edge {
+    start: f32,
+    inverse: f32,
+}
+
+/// A piece of a pencil whose borders are straight: along each axis the upper edge and the lower one.
+struct Piece {
+    edges: [[Edge; 2]; 3],
+    /// The parameter at its end.
+    length: f32,
+}
+
+impl Piece {
+    /// From one box to another, where the parameter is 1.
+    fn new(from: Bounds, to: Bounds, length: f32) -> Self {
+        let edge = |start: f64, end: f64, side: f32| {
+            let slope = (end - start) as f32;
+            let slope = slope.abs().max(LEAST_SLOPE).copysign(slope);
+            let start = start as f32;
+            Edge { start: start + side * SLACK * start.abs(), inverse: slope.recip() }
+        };
+        // In single precision the start may be off by a part of it.
+        let edges =
+            |axis: usize| [edge(from.max[axis], to.max[axis], 1.0), edge(from.min[axis], to.min[axis], -1.0)];
+        Self { edges: [edges(0), edges(1), edges(2)], length }
+    }
+
+    /// Where it enters a node's boxes, and the bits of those that it meets.
+    #[inline(always)]
+    fn test(&self, node: &Node) -> (node::Lanes, u32) {
+        let (mut entry, mut exit) = ([0.0; WIDTH], [self.length; WIDTH]);
+        // Loops over all lanes: so they are compiled for wide registers.
+        for axis in 0..3 {
+            for side in 0..2 {
+                // The upper edge has to be above the low faces, the lower one below the high ones.
+                let Edge { start, inverse } = self.edges[axis][side];
+                let faces = &node.faces(axis)[side];
+                if (inverse > 0.0) == (side == 0) {
+                    for lane in 0..WIDTH {
+                        let passed = (faces[lane] - start) * inverse;
+                        entry[lane] = if passed > entry[lane] { passed } else { entry[lane] };
+                    }
+                } else {
+                    for lane in 0..WIDTH {
+                        let passed = (faces[lane] - start) * inverse;
+                        exit[lane] = if passed < exit[lane] { passed } else { exit[lane] };
+                    }
+                }
+            }
+        }
+        let mut met = 0;
+        for lane in 0..WIDTH {
+            met |= u32::from(entry[lane] <= exit[lane] * (1.0 + 2.0 * SLACK)) << lane;
+        }
+        (entry, met)
+    }
+}
+
+/// Four rays in the space of a tree: along each axis where they start, and the inverse of where they go.
+pub struct Four {
+    origin: [Vec4; 3],
+    inverse: [Vec4; 3],
+    scale: f64,
+}
+
+impl Four {
+    /// Rays of the pencil that `within` was found for, with unit directions.
+    #[inline(always)]
+    pub fn new(rays: &Rays, within: &Within) -> Self {
+        let mut four = Self { origin: [Vec4::ZERO; 3], inverse: [Vec4::ZERO; 3], scale: within.scale };
+        let center = within.center.to_array();
+        for axis in 0..3 {
+            let from = single((rays.origin[axis] - center[axis]) * within.scale);
+            let slope = single(rays.direction[axis]);
+            four.origin[axis] = from;
+            four.inverse[axis] = slope.abs().max(Vec4::splat(LEAST_SLOPE)).copysign(slope).recip();
+        }
+        four
+    }
+
+    /// The bits of those that meet a box before their ends.
+    #[inline(always)]
+    pub fn meet(&self, boxed: &Boxed, ends: &Lanes) -> u32 {
+        tally::boxes(Lanes::COUNT);
+        let ends = single(*ends * (self.scale * UP)) + Vec4::splat(f32::MIN_POSITIVE);
+        let (mut entry, mut exit) = (Vec4::ZERO, ends);
+        for axis in 0..3 {
+            let low = (Vec4::splat(boxed.low[axis]) - self.origin[axis]) * self.inverse[axis];
+            let high = (Vec4::splat(boxed.high[axis]) - self.origin[axis]) * self.inverse[axis];
+            entry = low.min(high).max(entry);
+            exit = low.max(high).min(exit);
+        }
+        entry.cmple(exit * (1.0 + 2.0 * SLACK)).bitmask()
+    }
+}
+
+/// Four numbers in single precision.
+#[inline(always)]
+fn single(lanes: Lanes) -> Vec4 {
+    let [a, b, c, d] = lanes.0;
+    Vec4::new(a as f32, b as f32, c as f32, d as f32)
+}
+
+impl Bvh {
+    /// Whether the items that rays of a pencil may meet are few enough to be listed in `within`.
+    pub fn within(&self, pencil: &Pencil, within: &mut Within) -> bool {
+        (within.center, within.scale) = self.place();
+        let items = &mut within.items;
+        items.clear();
+        let inner = |bounds: Bounds| Bounds { min: self.inner(bounds.min), max: self.inner(bounds.max) };
+        let (from, through) = (inner(pencil.from), inner(pencil.through));
+        let tame = from.min.abs().max(from.max.abs()).max_element() < NEAR && through.is_finite();
+        if self.nodes().is_empty() || !tame {
+            return self.nodes().is_empty();
+        }
+        let blur = DVec3::splat(f64::from(self.blur()));
+        let wide = |bounds: Bounds| Bounds { min: bounds.min - blur, max: bounds.max + blur };
+        let apart = (through.min - from.max).max(from.min - through.max).max(DVec3::ZERO).length();
+        let unit = apart / within.scale * NEARER;
+        let (from, through) = (wide(from), wide(through));
+        // Beyond the second box the borders are those of rays from the other side of the first.
+        let beyond = |near: DVec3, far: DVec3| far + (far - near);
+        let opposite = Bounds { min: beyond(from.max, through.min), max: beyond(from.min, through.max) };
+        let pieces = [Piece::new(from, through, 1.0), Piece::new(through, opposite, LAST)];
+        let room = self.blur() + NEAR as f32 * SLACK;
+        let mut stack = smallvec::SmallVec::<[u32; 32]>::new();
+        stack.push(0);
+        while let Some(number) = stack.pop() {
+            let node = &self.nodes()[number as usize];
+            let ((near, first), (far, second)) = (pieces[0].test(node), pieces[1].test(node));
+            tally::boxes(WIDTH);
+            let mut met = first | second;
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize % WIDTH;
+                met &= met - 1;
+                let child = node.children[lane];
+                let Some(item) = super::bvh::item(child) else {
+                    stack.push(child);
+                    continue;
+                };
+                if items.len() == MOST {
+                    return false;
+                }
+                let entry = if first >> lane & 1 == 1 { near[lane] } else { 1.0 + far[lane] };
+                let entry = f64::from(entry) * unit;
+                let corner = |side: usize, room: f32| {
+                    let face = |axis: usize| node.faces(axis)[side][lane] + room;
+                    [face(0), face(1), face(2)]
+                };
+                items.push(Boxed { low: corner(0, -room), high: corner(1, room), entry, number: item });
+            }
+        }
+        items.sort_unstable_by(|a, b| a.entry.total_cmp(&b.entry));
+        true
+    }
+}

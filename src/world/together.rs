@@ -1,0 +1,186 @@
+//! Rays that travel together: what a pencil of them may meet is found once, and four of them are asked at a time
+//! about that. They meet what each of them would meet alone.
+
+use super::accel::{Four, Pencil, Within};
+use super::hit::{Geometry, Hit};
+use super::object::{Leaf, Member, RayKind};
+use super::ray::{Range, Rays};
+use super::shape::Crossing;
+use crate::math::wide::widest;
+use crate::math::{Lanes, tally};
+
+/// Stands for the part of a crossing that has more to say than which part it is on.
+const TOLD: f64 = -1.0;
+
+/// The nearest surfaces that four rays know of.
+#[derive(Clone, Copy)]
+struct Met {
+    /// How far they are; infinite for none.
+    distance: Lanes,
+    /// The objects, by number.
+    object: Lanes,
+    /// The parts of the leaves, or [`TOLD`].
+    part: Lanes,
+}
+
+impl Met {
+    const NOTHING: Self = Self {
+        distance: Lanes::splat(f64::INFINITY),
+        object: Lanes::splat(f64::INFINITY),
+        part: Lanes::ZERO,
+    };
+
+    /// Keeps crossings that are ahead and nearer than those before, or as near and of what was declared first.
+    #[inline(always)]
+    fn take(&mut self, number: u32, distance: Lanes, part: Lanes) {
+        let number = f64::from(number);
+        let ahead = distance.map(|t| if t > 0.0 { t } else { f64::NAN });
+        let first = self.object.map(|object| if number < object { 1.0 } else { 0.0 });
+        let tie = ahead.zip(self.distance, |t, best| if t == best { 1.0 } else { 0.0 }) * first;
+        let nearer = ahead.zip(self.distance, |t, best| if t < best { 1.0 } else { 0.0 }) + tie;
+        self.distance = ahead.where_positive(nearer, self.distance);
+        self.object = Lanes::splat(number).where_positive(nearer, self.object);
+        self.part = part.where_positive(nearer, self.part);
+    }
+
+    /// The bits of the rays whose crossings were told in full.
+    #[inline(always)]
+    fn told(&self) -> u32 {
+        self.part.bits(|part| part == TOLD)
+    }
+}
+
+/// Crossings that were told in full.
+type Told = [Option<Hit>; Lanes::COUNT];
+
+/// Four rays that ask for the nearest surfaces.
+struct Asking<'a> {
+    geometry: &'a Geometry,
+    rays: &'a Rays,
+    kind: RayKind,
+    /// The bits of those that are of interest.
+    asked: u32,
+}
+
+impl Asking<'_> {
+    /// The leaf that is all of an object, where four rays can be asked at once.
+    #[inline(always)]
+    fn lone(&self, number: u32) -> Option<&Leaf> {
+        let parts = self.geometry.parts();
+        let Member::Leaf(leaf) = parts.objects[number as usize].member else { return None };
+        let leaf = parts.leaf(leaf);
+        (leaf.transform.is_none() && leaf.limits.is_none() && leaf.primitive.takes_four()).then_some(leaf)
+    }
+
+    /// Asks one more object, if need be for the rays of which `near` gives the bits.
+    #[inline(always)]
+    fn visit(&self, number: u32, met: &mut Met, told: &mut Told, near: impl FnOnce(&Lanes) -> u32) {
+        if let Some(leaf) = self.lone(number) {
+            if leaf.hidden.intersects(self.kind) {
+                return;
+            }
+            tally::primitives(Lanes::COUNT);
+            if let Some([distance, part]) = leaf.primitive.nearest_of_four(self.rays, met.distance) {
+                met.take(number, distance, part);
+            }
+            return;
+        }
+        let mut near = near(&met.distance) & self.asked;
+        while near != 0 {
+            self.visit_alone(near.trailing_zeros() as usize % Lanes::COUNT, number, met, told);
+            near &= near - 1;
+        }
+    }
+
+    /// Asks an object for one ray.
+    #[inline(never)]
+    fn visit_alone(&self, lane: usize, number: u32, met: &mut Met, told: &mut Told) {
+        let parts = self.geometry.parts();
+        let best = met.distance.0[lane];
+        let range = Range { min: 0.0, max: best.next_up() };
+        let member = parts.objects[number as usize].member;
+        if let Some(found) = parts.nearest(member, &self.rays.ray(lane), range, self.kind) {
+            let t = found.t();
+            if t < best || (t == best && f64::from(number) < met.object.0[lane]) {
+                told[lane] = Some(Hit::new(found, number));
+                met.distance.0[lane] = t;
+                met.object.0[lane] = f64::from(number);
+                met.part.0[lane] = TOLD;
+            }
+        }
+    }
+
+    /// What a ray meets whose crossing needed no telling in full.
+    #[inline(always)]
+    fn hit(&self, met: &Met, lane: usize) -> Option<Hit> {
+        let t = met.distance.0[lane];
+        if t == f64::INFINITY {
+            return None;
+        }
+        let object = met.object.0[lane] as u32;
+        let Member::Leaf(leaf) = self.geometry.parts().objects[object as usize].member else { return None };
+        Some(Hit { t, crossing: Crossing::new(t, met.part.0[lane] as u32), leaf, object })
+    }
+
+    /// Where the ground is as near as what a ray meets, the ground is met.
+    #[inline]
+    fn settle(&self, lane: usize, ground: Option<Hit>, best: &mut Option<Hit>) {
+        if let (Some(on), Some(above)) = (&ground, &best)
+            && self.geometry.stands_on(&self.rays.ray(lane), above, on)
+        {
+            *best = ground;
+        }
+    }
+}
+
+impl Geometry {
+    /// Whether the objects that rays of a pencil may meet are few enough to be worth knowing, and were found.
+    pub fn within(&self, pencil: &Pencil, within: &mut Within) -> bool {
+        widest(
+            #[inline(always)]
+            || self.bounded().within(pencil, within),
+        )
+    }
+
+    /// Whether all objects have boxes.
+    pub fn is_bounded(&self) -> bool {
+        self.unbounded().is_empty()
+    }
+
+    /// What [`hit`](Self::hit) answers for the first `count` of four rays of a pencil, all with unit directions.
+    pub fn hits(&self, within: &Within, rays: &Rays, count: usize, kind: RayKind, hits: &mut Told) {
+        widest(
+            #[inline(always)]
+            || {
+                let asking = Asking { geometry: self, rays, kind, asked: (1 << count) - 1 };
+                let mut met = Met::NOTHING;
+                for &number in self.unbounded() {
+                    asking.visit(number, &mut met, hits, |_| !0);
+                }
+                let ground = met;
+                let told = if ground.told() == 0 { None } else { Some(*hits) };
+                let mut four = None;
+                for boxed in within.items() {
+                    if met.distance.bits(|distance| distance < boxed.entry) == 15 {
+                        break;
+                    }
+                    asking.visit(boxed.number, &mut met, hits, |ends| {
+                        four.get_or_insert_with(|| Four::new(rays, within)).meet(boxed, ends)
+                    });
+                }
+                let full = met.told();
+                for lane in 0..count {
+                    if full >> lane & 1 == 0 {
+                        hits[lane] = asking.hit(&met, lane);
+                    }
+                    if ground.distance.0[lane] < f64::INFINITY && ground.object.0[lane] != met.object.0[lane]
+                    {
+                        let told = told.filter(|_| ground.told() >> lane & 1 == 1);
+                        let on = told.map_or_else(|| asking.hit(&ground, lane), |told| told[lane]);
+                        asking.settle(lane, on, &mut hits[lane]);
+                    }
+                }
+            },
+        );
+    }
+}
