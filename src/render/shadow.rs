@@ -13,7 +13,7 @@ use crate::math::{DVec3, Rgb};
 use crate::world::hit::{Among, Hit};
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::LeafFlags;
-use crate::world::screen::{OPEN, SHUT, Screen, sift};
+use crate::world::screen::{OPEN, SHUT, UNKNOWN};
 use crate::world::{Intersection, Light, Range, Ray};
 
 /// The last part of the way to a light, where the surface that it lies on is not in its way.
@@ -72,12 +72,21 @@ impl Tracer<'_> {
         let surface = at.surface;
         let geometry = &self.world.geometry;
         let outside = !surface.inside && incident.direction.dot(surface.geometric) > 0.0;
-        let is_left =
-            |screen: &Screen| screen.object == object && outside && geometry.is_left_for_good(object);
-        let seen = self.shafts.among(shaft).iter().filter(|screen| !is_left(screen));
-        let seen = seen.map(|screen| (screen, Some(screen.as_seen())));
-        let way = surface.leave(incident.direction) - light.location;
-        match sift(seen, way, &mut self.near) {
+        let way = (surface.leave(incident.direction) - light.location).to_array();
+        self.near.clear();
+        let mut found = OPEN;
+        // A loop: closures given to iterators are not compiled together with what is around them.
+        for screen in self.shafts.among(shaft) {
+            if screen.object == object && outside && geometry.is_left_for_good(object) {
+                continue;
+            }
+            let verdict = screen.as_seen().verdict(way);
+            if verdict == UNKNOWN {
+                self.near.push(screen.object);
+            }
+            found = if verdict > found { verdict } else { found };
+        }
+        match found {
             SHUT => {
                 self.statistics.shadow_rays += 1;
                 Rgb::ZERO

@@ -118,7 +118,8 @@ impl Cell {
         let (width, inverse) =
             (f64::from_bits((exponent + 1) << 52), f64::from_bits((2045 - exponent) << 52));
         let DVec3 { x, y, z } = surface.point * inverse;
-        let known = x.abs().max(y.abs()).max(z.abs()) < MOST && surface.error < ROOM * width;
+        let near = (x.abs() < MOST) & (y.abs() < MOST) & (z.abs() < MOST);
+        let known = near & (surface.error < ROOM * width);
         let place = [floor(x), floor(y), floor(z)];
         known.then_some((Self { light, size: exponent as i32, place }, width))
     }
@@ -151,16 +152,28 @@ impl Cell {
     }
 }
 
-/// The next whole number below.
+/// The next whole number below, of numbers with less than 31 bits before the point.
 #[inline]
 fn floor(x: f64) -> i32 {
-    let toward_zero = x as i32;
-    toward_zero - i32::from(f64::from(toward_zero) > x)
+    // Adding and taking away 1.5·2⁵² rounds to the next whole number, which is then in the low bits.
+    const ROUND: f64 = 6_755_399_441_055_744.0;
+    let rounded = x + ROUND;
+    rounded.to_bits() as i32 - i32::from(rounded - ROUND > x)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_next_whole_number_below_is_found() {
+        for (x, below) in
+            [(0.0, 0), (-0.0, 0), (0.5, 0), (-0.5, -1), (1.5, 1), (2.5, 2), (-2.5, -3), (-3.0, -3)]
+        {
+            assert_eq!(floor(x), below, "{x}");
+        }
+        assert_eq!((floor(1e9 - 0.25), floor(0.25 - 1e9)), (999_999_999, -1_000_000_000));
+    }
 
     #[test]
     fn a_cell_holds_the_point_it_is_around() {

@@ -89,7 +89,7 @@ pub fn is_dark(color: Rgb) -> bool {
 
 impl Light {
     /// The light at `point` from the light's location.
-    #[inline]
+    #[inline(always)]
     pub fn reaching(&self, point: DVec3) -> Incident {
         self.reaching_from(point, self.location, self.axis)
     }
@@ -122,7 +122,7 @@ impl Light {
     }
 
     /// The unit direction against the light, and the distance, for a `way` to where it comes from.
-    #[inline]
+    #[inline(always)]
     fn along(&self, way: DVec3, axis: DVec3) -> (DVec3, f64) {
         if self.runs_parallel() {
             return (-axis, -way.dot(axis));
@@ -131,21 +131,25 @@ impl Light {
         (if distance > 0.0 { way / distance } else { DVec3::ZERO }, distance)
     }
 
-    #[inline]
+    #[inline(always)]
     fn reaching_from(&self, point: DVec3, location: DVec3, axis: DVec3) -> Incident {
         let way = location - point;
         let (direction, distance) = self.along(way, axis);
-        if matches!(self.kind, Kind::Point) && self.fade.is_none() {
-            return Incident { direction, distance, attenuation: 1.0, color: self.color };
-        }
+        let everywhere = matches!(self.kind, Kind::Point) && self.fade.is_none();
+        let attenuation = if everywhere { 1.0 } else { self.attenuation(way, direction, distance, axis) };
+        let color = if everywhere { self.color } else { self.color * attenuation };
+        Incident { direction, distance, attenuation, color }
+    }
+
+    /// The share of the light that its shape and the distance leave.
+    fn attenuation(&self, way: DVec3, direction: DVec3, distance: f64, axis: DVec3) -> f32 {
         let angular = match &self.kind {
             Kind::Point => 1.0,
             Kind::Spotlight(spot) => spot.attenuation(-direction.dot(axis)),
             Kind::Cylinder(cylinder) => cylinder.attenuation(-way, axis),
         };
         let fading = self.fade.map_or(1.0, |fade| fade.attenuation(distance));
-        let attenuation = (angular * fading) as f32;
-        Incident { direction, distance, attenuation, color: self.color * attenuation }
+        (angular * fading) as f32
     }
 }
 

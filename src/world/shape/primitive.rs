@@ -60,17 +60,20 @@ impl Primitive {
     }
 
     /// The point of a surface that is simple next to a computed one, and its unit normal there.
-    #[inline]
+    #[inline(always)]
     pub fn touched(&self, point: DVec3, crossing: &Crossing) -> (DVec3, DVec3) {
         match self {
             Self::Sphere(sphere) => sphere.touched(point),
             Self::Box(cuboid) => (cuboid.reproject(point, crossing), cuboid.normal(point, crossing)),
             Self::Plane(plane) => (plane.reproject(point, crossing), plane.normal),
-            _ => {
-                let on = self.reproject(point, crossing);
-                (on, self.normal(on, crossing).normalize_or_zero())
-            }
+            _ => self.touched_elsewhere(point, crossing),
         }
+    }
+
+    /// The same for what is neither sphere, box nor plane.
+    fn touched_elsewhere(&self, point: DVec3, crossing: &Crossing) -> (DVec3, DVec3) {
+        let on = self.reproject(point, crossing);
+        (on, self.normal(on, crossing).normalize_or_zero())
     }
 
     /// As [`Primitive::convex`], but that the parts of the ends may be [`UNSAID`](super::stretch::UNSAID),

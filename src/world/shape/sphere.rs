@@ -81,7 +81,7 @@ impl Sphere {
     }
 
     /// The surface's point next to a computed one, and its unit normal there.
-    #[inline]
+    #[inline(always)]
     pub(super) fn touched(&self, point: DVec3) -> (DVec3, DVec3) {
         let from = (point - self.center).normalize_or_zero();
         (self.center + from * self.radius.abs(), if self.radius < 0.0 { -from } else { from })
