@@ -27,13 +27,28 @@ impl Random {
     /// The next number, uniform in [0, 1).
     pub(super) fn next(&mut self) -> f64 {
         tally::random_numbers(1);
+        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// The next two, to nine digits each.
+    #[inline]
+    pub(super) fn next_two(&mut self) -> [f64; 2] {
+        tally::random_numbers(2);
+        let bits = self.bits();
+        // No closure for an array: it would not be compiled together with what is around it.
+        let number = |half: u64| half as i64 as f64 / (1i64 << 32) as f64;
+        [number(bits >> 32), number(bits & 0xffff_ffff)]
+    }
+
+    #[inline]
+    fn bits(&mut self) -> u64 {
         let before = match *self {
             Self::Fresh([x, y, seed]) => scramble(scramble(scramble(x) ^ y) ^ seed),
             Self::Running(state) => state,
         };
         let state = before.wrapping_add(0x9e37_79b9_7f4a_7c15);
         *self = Self::Running(state);
-        (scramble(state) >> 11) as f64 / (1u64 << 53) as f64
+        scramble(state)
     }
 }
 

@@ -6,6 +6,7 @@ use smallvec::SmallVec;
 use super::accel::{Accel, Hull, Slabs};
 use super::csg::Found;
 use super::object::{Leaf, LeafFlags, Member, RayKind};
+use super::outline::Caster;
 use super::parts::{Object, Parts};
 use super::ray::{Range, Ray};
 use super::screen::{SHUT, Screen, UNKNOWN};
@@ -248,6 +249,11 @@ impl Geometry {
     /// Whether an object whose box meets the hull may have a surface there.
     fn is_near(&self, number: u32, hull: &Hull) -> bool {
         !self.is_apart_from(number, hull.points())
+    }
+
+    /// What is known of the shadows that an object throws; `None` where nothing is.
+    pub fn caster(&self, number: u32) -> Option<Caster> {
+        Caster::new(&self.parts.objects[number as usize], &self.parts)
     }
 
     /// The leaf that is all of an object, where it is no compound.

@@ -14,6 +14,7 @@ pub mod media;
 pub mod narrow;
 pub mod needs;
 pub mod object;
+pub mod outline;
 pub mod parts;
 pub mod pattern;
 pub mod ray;

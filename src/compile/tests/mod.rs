@@ -5,6 +5,7 @@ mod cost;
 mod csg;
 mod extremes;
 mod oracle;
+mod outline;
 mod scene;
 
 use std::sync::Arc;

@@ -8,6 +8,7 @@ use crate::render::trace::Tracer;
 use crate::world::accel::{Hull, Points};
 use crate::world::hit::{Among, Nearby};
 use crate::world::light::{AreaLight, Incident};
+use crate::world::outline::{Caster, Outlines, Sight};
 use crate::world::screen::{Cone, OPEN, SHUT, Screen, UNKNOWN, Verdict, View, sift};
 use crate::world::{Intersection, Light};
 
@@ -21,11 +22,25 @@ const MANY_RAYS: u32 = 4;
 /// those from one point.
 const VERY_MANY_RAYS: u32 = 16;
 
+/// So many objects' shadows are known at a time.
+const CASTERS: usize = 128;
+
+/// What is known of a place of a grid: that it is seen, hidden, or seen through something.
+const NOT_ASKED: u8 = 0;
+const SEEN: u8 = 1;
+const HIDDEN: u8 = 2;
+const TINTED: u8 = 3;
+
+/// What so many places that are seen make of four.
+const QUARTERS: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+
 /// What the places of a grid show, and the room to find that out.
 #[derive(Debug, Default)]
 pub(in crate::render) struct Places {
-    /// The light of each place that was asked.
-    known: Vec<Option<Rgb>>,
+    /// What is known of each place.
+    known: Vec<u8>,
+    /// The light of those seen through something.
+    colors: Vec<Rgb>,
     /// Where the places are, in parts of the axes.
     moved: Vec<DVec2>,
     /// The ways to them, by coordinate.
@@ -33,6 +48,10 @@ pub(in crate::render) struct Places {
     verdicts: Vec<Verdict>,
     /// What may be in the way, as seen from where the rays start.
     around: Vec<(Screen, View)>,
+    /// The same, as seen on the light.
+    outlines: Outlines,
+    /// What is known of the shadows of objects: of each remainder of their numbers the last one.
+    casters: Vec<Option<(u32, Option<Caster>)>>,
     /// What may be in the way to the place at hand.
     near: Vec<u32>,
 }
@@ -50,8 +69,10 @@ struct Grid<'a> {
     area: &'a AreaLight,
     axes: [DVec3; 2],
     center: &'a Incident,
-    /// From where all rays start to the middle of the grid, where the views say what is in the way.
-    middle: Option<DVec3>,
+    /// Whether the outlines say what is in the way.
+    outlined: bool,
+    /// Whether they only say so of places on the viewer's side of the surface, as others are behind it.
+    straddles: bool,
 }
 
 impl Tracer<'_> {
@@ -66,8 +87,8 @@ impl Tracer<'_> {
         let axes = area.axes_towards(incident.direction);
         let mut points = Points::new();
         match origin(at.surface, light, area, axes) {
-            Some(origin) => points.push(origin),
-            None => points.extend([point + error * geometric, point - error * geometric]),
+            (origin, false) => points.push(origin),
+            (_, true) => points.extend([point + error * geometric, point - error * geometric]),
         }
         points.extend(area.corners(axes).map(|corner| light.location + corner));
         let known = points.iter().all(|point| point.is_finite());
@@ -83,38 +104,47 @@ impl Tracer<'_> {
         center: &Incident,
     ) -> Rgb {
         let axes = area.axes_towards(center.direction);
-        let mut grid = Grid { light, area, axes, center, middle: None };
+        let mut grid = Grid { light, area, axes, center, outlined: false, straddles: false };
         let plain = light.projected_through.is_none() && !light.runs_parallel() && !self.dims(light);
-        if let (Some(Among::Screens(among)), true) = (at.among, plain)
-            && let Some(origin) = origin(at.surface, light, area, axes)
-        {
+        if let (Some(Among::Screens(among)), true) = (at.among, plain) {
+            let (origin, straddles) = origin(at.surface, light, area, axes);
+            grid.straddles = straddles;
             match self.look_around(at, &grid, among, origin) {
-                OPEN => {
+                OPEN if !straddles => {
                     self.statistics.lights_open += 1;
                     return center.color;
                 }
-                SHUT => {
+                SHUT if !straddles => {
                     self.statistics.shadow_rays += 1;
                     return Rgb::ZERO;
                 }
-                _ if !area.plan.shares.is_empty() => return self.whole(at, &grid, origin),
-                _ => grid.middle = Some(light.location - origin),
+                SHUT => {}
+                _ if !area.plan.shares.is_empty() && !straddles => return self.whole(at, &grid, origin),
+                _ => grid.outlined = true,
             }
         }
         self.places.known.clear();
-        self.places.known.resize((area.size[0] * area.size[1]) as usize, None);
-        self.part(at, &grid, Part { u: [0, area.size[0] - 1], v: [0, area.size[1] - 1] }, 0)
+        self.places.known.resize((area.size[0] * area.size[1]) as usize, NOT_ASKED);
+        let whole = Part { u: [0, area.size[0] - 1], v: [0, area.size[1] - 1] };
+        self.part(at, &grid, whole, 0)
     }
 
-    /// The verdict on all ways to a grid, if it is the same; else what decides about them is noted.
+    /// The verdict on all ways to a grid on one side of the surface, if it is the same; else what decides about
+    /// them is noted.
     fn look_around(&mut self, at: &Target, grid: &Grid, among: &[Screen], origin: DVec3) -> Verdict {
         let geometry = &self.world.geometry;
         let middle = grid.light.location - origin;
-        let outside = !at.surface.inside && middle.dot(at.surface.geometric) > 0.0;
+        // Where all places are asked it is balls that they are held against.
+        let plan = !grid.area.plan.shares.is_empty() && !grid.straddles;
+        let outside = !at.surface.inside && (grid.straddles || middle.dot(at.surface.geometric) > 0.0);
         let left = at.hit.map(|hit| hit.object).filter(|&own| outside && geometry.is_left_for_good(own));
         let cone = Cone::new(middle, grid.area.radius());
-        let around = &mut self.places.around;
+        let Places { around, outlines, casters, .. } = &mut self.places;
+        let sight =
+            Sight { from: origin, middle, axes: grid.axes, reach: [0, 1].map(|axis| grid.area.reach(axis)) };
         around.clear();
+        outlines.clear(&sight);
+        casters.resize_with(CASTERS, || None);
         for screen in among {
             if left == Some(screen.object) {
                 continue;
@@ -123,7 +153,19 @@ impl Tracer<'_> {
             match cone.as_ref().map_or(UNKNOWN, |cone| view.verdict_on_all(cone)) {
                 OPEN => {}
                 SHUT => return SHUT,
-                _ => around.push((*screen, view)),
+                _ => {
+                    let caster = &mut casters[screen.object as usize % CASTERS];
+                    if caster.as_ref().is_none_or(|(object, _)| *object != screen.object) {
+                        *caster = Some((screen.object, geometry.caster(screen.object)));
+                    }
+                    let caster = caster.as_ref().and_then(|(_, caster)| caster.as_ref());
+                    match caster.map(|caster| outlines.add(screen.object, caster, &sight)) {
+                        Some(OPEN) => {}
+                        Some(SHUT) => return SHUT,
+                        Some(_) if !plan => {}
+                        _ => around.push((*screen, view)),
+                    }
+                }
             }
         }
         if !around.is_empty() {
@@ -134,7 +176,10 @@ impl Tracer<'_> {
             let hull = Hull::new(grid.points(origin).into_iter().collect());
             around.retain(|(screen, _)| hull.meets(&geometry.bounds(screen.object)));
         }
-        if around.is_empty() { OPEN } else { UNKNOWN }
+        for (screen, view) in around.iter().filter(|_| !plan) {
+            outlines.add_balls(screen.object, view);
+        }
+        if around.is_empty() && outlines.is_empty() { OPEN } else { UNKNOWN }
     }
 
     /// The light of a grid every place of which is asked, from a point with few objects around.
@@ -175,16 +220,30 @@ impl Tracer<'_> {
     /// The mean light from a part of an area light.
     fn part(&mut self, at: &Target, grid: &Grid, part: Part, level: u32) -> Rgb {
         let Part { u, v } = part;
-        // Loops: closures for arrays are not compiled together with what is around them.
-        let mut corners = [Rgb::ZERO; 4];
         let places = [(u[0], v[0]), (u[1], v[0]), (u[0], v[1]), (u[1], v[1])];
-        for (corner, place) in corners.iter_mut().zip(places) {
-            *corner = self.place(at, grid, place);
+        // Loops: closures for arrays are not compiled together with what is around them.
+        let mut shown = [NOT_ASKED; 4];
+        for (shown, place) in shown.iter_mut().zip(places) {
+            *shown = self.place(at, grid, place);
         }
         let coarse = u[1] - u[0] > 1 || v[1] - v[0] > 1;
+        let fine = !coarse || level >= grid.area.adaptive;
+        let tinted = shown.contains(&TINTED);
+        if fine && !tinted && (!coarse || shown == [shown[0]; 4]) {
+            let seen = shown.iter().filter(|&&shown| shown == SEEN).count();
+            return grid.center.color * QUARTERS[seen];
+        }
+        let mut corners = [Rgb::ZERO; 4];
+        for ((corner, shown), (u, v)) in corners.iter_mut().zip(shown).zip(places) {
+            *corner = match shown {
+                SEEN => grid.center.color,
+                HIDDEN => Rgb::ZERO,
+                _ => self.places.colors[(v * grid.area.size[0] + u) as usize],
+            };
+        }
         let unlike = |a: usize, b: usize| (corners[a] - corners[b]).abs().element_sum() > UNEVEN;
         let uneven = || unlike(0, 1) || unlike(2, 3) || unlike(0, 2) || unlike(1, 3);
-        if coarse && (level < grid.area.adaptive || uneven()) {
+        if coarse && (!fine || uneven()) {
             for (quarter, [u, v]) in corners.iter_mut().zip(AreaLight::quarters(u, v)) {
                 *quarter = self.part(at, grid, Part { u, v }, level + 1);
             }
@@ -193,20 +252,49 @@ impl Tracer<'_> {
         (a + b + c + d) / 4.0
     }
 
-    /// The light from one place of the grid, traced once for each hit.
-    fn place(&mut self, at: &Target, grid: &Grid, (u, v): (u32, u32)) -> Rgb {
+    /// How one place of the grid is seen, found out once for each hit.
+    #[inline(always)]
+    fn place(&mut self, at: &Target, grid: &Grid, (u, v): (u32, u32)) -> u8 {
         let index = (v * grid.area.size[0] + u) as usize;
-        if let Some(known) = self.places.known[index] {
-            return known;
+        match self.places.known[index] {
+            NOT_ASKED => self.ask(at, grid, (u, v), index),
+            known => known,
         }
-        let offset = grid.area.offset(grid.axes, (u, v), self.grid_shift(grid.area));
+    }
+
+    /// Finds out how a place is seen, whose number is `index`.
+    #[inline(never)]
+    fn ask(&mut self, at: &Target, grid: &Grid, place: (u32, u32), index: usize) -> u8 {
+        let DVec2 { x, y } = grid.area.place(place, self.grid_shift(grid.area));
+        let offset = grid.axes[0] * x + grid.axes[1] * y;
         self.statistics.shadow_rays += 1;
-        let color = match grid.middle {
-            Some(middle) => self.through(at, grid, middle, offset),
-            None => self.towards(at, grid, offset),
+        let seen_from = |surface: &Intersection| {
+            (grid.light.location + offset - surface.point).dot(surface.geometric) > 0.0
         };
-        self.places.known[index] = Some(color);
-        color
+        let outlined = grid.outlined && (!grid.straddles || seen_from(at.surface));
+        let mut near = std::mem::take(&mut self.places.near);
+        let verdict = if outlined { self.places.outlines.verdict(x, y, &mut near) } else { UNKNOWN };
+        let shown = match verdict {
+            OPEN => SEEN,
+            SHUT => HIDDEN,
+            _ => {
+                let among = if outlined { Some(Among::Near(&near)) } else { at.among };
+                let color = self.towards(&Target { among, ..*at }, grid, offset);
+                if color == Rgb::ZERO {
+                    HIDDEN
+                } else if color == grid.center.color {
+                    SEEN
+                } else {
+                    let count = self.places.known.len();
+                    self.places.colors.resize(count, Rgb::ZERO);
+                    self.places.colors[index] = color;
+                    TINTED
+                }
+            }
+        };
+        self.places.near = near;
+        self.places.known[index] = shown;
+        shown
     }
 
     /// The light from a place this far from the middle of the grid past the objects around.
@@ -230,7 +318,7 @@ impl Tracer<'_> {
 
     /// How far a light of a grid is moved, in cells.
     pub(in crate::render) fn grid_shift(&mut self, area: &AreaLight) -> DVec2 {
-        if area.jitter { DVec2::new(self.random.next() - 0.5, self.random.next() - 0.5) } else { DVec2::ZERO }
+        if area.jitter { DVec2::from_array(self.random.next_two()) - 0.5 } else { DVec2::ZERO }
     }
 }
 
@@ -243,17 +331,15 @@ impl Grid<'_> {
     }
 }
 
-/// Where all rays to an area light start; `None` where some leave on the other side of the surface.
-fn origin(surface: &Intersection, light: &Light, area: &AreaLight, axes: [DVec3; 2]) -> Option<DVec3> {
-    // A loop: closures for arrays are not compiled together with what is around them.
-    let mut found = None;
-    for corner in area.corners(axes) {
-        let origin = surface.leave(light.location + corner - surface.point);
-        if *found.get_or_insert(origin) != origin {
-            return None;
-        }
-    }
-    found
+/// Where rays to an area light start that leave on the side of the surface where its middle is, and whether
+/// some leave on the other side: then it is where those start that leave on the side of the viewer.
+fn origin(surface: &Intersection, light: &Light, area: &AreaLight, axes: [DVec3; 2]) -> (DVec3, bool) {
+    let normal = surface.geometric;
+    let (way, [a, b]) = (light.location - surface.point, axes);
+    let across = a.dot(normal).abs() * area.reach(0) + b.dot(normal).abs() * area.reach(1);
+    // A point in space has no sides.
+    let straddles = way.dot(normal).abs() <= across && normal != DVec3::ZERO;
+    (surface.leave(if straddles { normal } else { way }), straddles)
 }
 
 impl Places {

@@ -14,6 +14,9 @@ const CELLS: usize = 256;
 /// The width of a cell, over the distance from which it is seen and the size of a pixel there.
 const PIXELS: f64 = 8.0;
 
+/// The same for lamps that each hit looks at again.
+const AREA_PIXELS: f64 = 16.0;
+
 /// So many rays to a lamp of one place ask for a cell before it is worth while to look around.
 const WORTH: u32 = 3;
 
@@ -67,7 +70,8 @@ impl Shafts {
         if light.runs_parallel() {
             return None;
         }
-        let (cell, width) = Cell::around(number, surface, PIXELS * pixel * distance)?;
+        let pixels = if light.area.is_some() { AREA_PIXELS } else { PIXELS };
+        let (cell, width) = Cell::around(number, surface, pixels * pixel * distance)?;
         if self.cells.is_empty() {
             self.cells.resize(CELLS, Shaft::default());
         }

@@ -299,8 +299,11 @@ impl Bvh {
             return false;
         }
         let hull = hull.mapped(|point| self.inner(point));
+        let Bounds { min, max } = hull.around();
+        let [low, high] = [min.to_array().map(rounded_down), max.to_array().map(rounded_up)];
         let touched = |node: &Node| {
-            let is_touched = |lane: usize| node.children[lane] != u32::MAX && hull.meets(&node.bounds(lane));
+            let near = node.around(low, high);
+            let is_touched = |lane: usize| near & 1 << lane != 0 && hull.meets(&node.bounds(lane));
             (0..WIDTH).fold(0, |mask, lane| mask | u32::from(is_touched(lane)) << lane)
         };
         self.any_below(touched, |leaf| test(leaf & !LEAF))

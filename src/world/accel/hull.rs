@@ -49,6 +49,12 @@ impl Hull {
         &self.points
     }
 
+    /// The box outside of which the hull meets nothing.
+    pub(super) fn around(&self) -> Bounds {
+        let blur = BLUR * self.bounds.min.abs().max(self.bounds.max.abs()).max_element();
+        Bounds { min: self.bounds.min - blur, max: self.bounds.max + blur }
+    }
+
     /// The hull moved and scaled by `inner`, an affine map that doesn't turn.
     pub(super) fn mapped(&self, inner: impl Fn(DVec3) -> DVec3) -> Self {
         Self::new(self.points.iter().map(|&point| inner(point)).collect())
@@ -57,8 +63,7 @@ impl Hull {
     /// Whether the hull may share a point with the box.
     pub fn meets(&self, bounds: &Bounds) -> bool {
         let blur = BLUR * self.bounds.min.abs().max(self.bounds.max.abs()).max_element();
-        let low = self.bounds.min - blur;
-        let high = self.bounds.max + blur;
+        let Bounds { min: low, max: high } = self.around();
         if low.cmpgt(bounds.max).any() || high.cmplt(bounds.min).any() {
             return false;
         }

@@ -112,7 +112,7 @@ impl AreaLight {
     }
 
     /// How far lights may be from the middle, in units of an axis.
-    fn reach(&self, axis: usize) -> f64 {
+    pub fn reach(&self, axis: usize) -> f64 {
         let size = self.size[axis];
         let cell = if self.jitter && size > 1 { 0.5 / f64::from(size - 1) } else { 0.0 };
         0.5 + cell + CIRCULAR_SHIFT
