@@ -96,8 +96,6 @@ enum Part {
     Ring(Ring),
     /// By balls.
     Balls(View),
-    /// From where its outline is not known.
-    Unknown,
 }
 
 /// What several objects hide of a light.
@@ -128,11 +126,12 @@ impl Outlines {
         self.parts.push((object, Part::Balls(*view)));
     }
 
-    /// Adds an object, but for those that hide nothing (`OPEN`) or all of the light (`SHUT`).
-    pub fn add(&mut self, object: u32, caster: &Caster, sight: &Sight) -> Verdict {
+    /// Adds an object, but for those that hide nothing (`OPEN`) or all of the light (`SHUT`); `None` where it
+    /// has no outline as seen from there.
+    pub fn add(&mut self, object: u32, caster: &Caster, sight: &Sight) -> Option<Verdict> {
         let (lines, parts) = (self.lines.len(), self.parts.len());
         let verdict = caster.look(object, sight, self);
-        if verdict != UNKNOWN {
+        if verdict != Some(UNKNOWN) {
             self.lines.truncate(lines);
             self.parts.truncate(parts);
         }
@@ -152,7 +151,6 @@ impl Outlines {
                 Part::Balls(view) => {
                     view.verdict((self.middle + self.axes[0] * x + self.axes[1] * y).to_array())
                 }
-                Part::Unknown => UNKNOWN,
             };
             if found == SHUT {
                 return SHUT;

@@ -27,19 +27,26 @@ fn compare(name: &str, object: Arc<Object>, on_surface: bool) -> f64 {
     let mut seen = [0; 3];
     for _ in 0..1500 {
         let (mut from, light) = (1.6 * numbers.vector(), 6.0 * numbers.vector());
+        let mut normal = DVec3::ZERO;
         if on_surface {
             let ray = Ray::new(from, (0.8 * numbers.vector() - from).normalize());
             let Some(hit) = geometry.hit(&ray, Range::AHEAD, crate::world::RayKind::IMAGE) else { continue };
-            from = geometry.surface(&ray, &hit).leave(light - ray.at(hit.t));
+            let surface = geometry.surface(&ray, &hit);
+            normal = surface.geometric;
+            from = surface.leave(light - surface.point);
         }
         let axes = [numbers.vector(), numbers.vector()];
         let sight = Sight { from, middle: light - from, axes, reach: [0.5, 0.6] };
         outlines.clear(&sight);
-        let all = outlines.add(0, &caster, &sight);
+        let Some(all) = outlines.add(0, &caster, &sight) else { continue };
         for _ in 0..12 {
             let [x, y] = [0.5, 0.6].map(|reach| reach * (2.0 * numbers.next() - 1.0));
             let verdict = if all == UNKNOWN { outlines.verdict(x, y, &mut near) } else { all };
             let way = sight.middle + axes[0] * x + axes[1] * y;
+            if way.dot(normal) * sight.middle.dot(normal) < 0.0 {
+                // It leaves on the other side of the surface.
+                continue;
+            }
             let ray = Ray::new(from, way.normalize());
             let range = Range { min: 0.0, max: way.length() * (1.0 - 1e-9) };
             let blocked = geometry.occluders(&ray, range, None, &mut Vec::new()).is_some();
@@ -50,7 +57,7 @@ fn compare(name: &str, object: Arc<Object>, on_surface: bool) -> f64 {
             }
         }
     }
-    assert!(seen[0] + seen[2] > 0, "{name}: {seen:?}");
+    assert!(on_surface || seen[0].min(seen[2]) > 100, "{name}: {seen:?}");
     100.0 * f64::from(seen[1]) / f64::from(seen[0] + seen[1] + seen[2])
 }
 
@@ -86,8 +93,7 @@ fn flat_faces_leave_nothing_to_the_surface() {
         ("box without a corner", difference([block(), corner()])),
         ("merge", merge([block(), corner()])),
     ] {
-        // Points may be inside.
-        assert!(compare(name, object.clone(), false) < 12.0, "{name}");
+        assert_eq!(compare(name, object.clone(), false), 0.0, "{name}");
         compare(name, object, true);
     }
 }
@@ -95,10 +101,10 @@ fn flat_faces_leave_nothing_to_the_surface() {
 #[test]
 fn round_solids_leave_little_to_the_surface() {
     for (name, object, most) in [
-        ("cylinder", turned(cylinder(-0.7 * Z, 0.6 * Z, 0.2)), 15.0),
-        ("flat cylinder", cylinder(-0.1 * Z, 0.1 * Z, 0.9), 50.0),
-        ("torus", turned(torus(0.6, 0.15)), 5.0),
-        ("thick torus", torus(0.5, 0.45), 20.0),
+        ("cylinder", turned(cylinder(-0.7 * Z, 0.6 * Z, 0.2)), 35.0),
+        ("flat cylinder", cylinder(-0.1 * Z, 0.1 * Z, 0.9), 90.0),
+        ("torus", turned(torus(0.6, 0.15)), 15.0),
+        ("thick torus", torus(0.5, 0.45), 60.0),
     ] {
         let share = compare(name, object.clone(), false);
         assert!(share < most, "{name}: {share} %");
@@ -109,7 +115,8 @@ fn round_solids_leave_little_to_the_surface() {
 #[test]
 fn what_is_not_known_has_no_outline() {
     let flush = difference([cube(-DVec3::ONE, DVec3::ONE), cube(v(-0.5, -0.5, -1.0), v(0.5, 0.5, 0.5))]);
-    let skewed = moved(cube(-DVec3::ONE, DVec3::ONE), Transform::scale(v(1.0, 1e-4, 1.0)));
+    let skewed = Transform::rotate(v(10., 20., 30.)).then(&Transform::scale(v(1.0, 1e-4, 1.0)));
+    let skewed = moved(cube(-DVec3::ONE, DVec3::ONE), skewed);
     for object in [flush, skewed, inverse(cube(-DVec3::ONE, DVec3::ONE)), sphere(Z, 1.0)] {
         assert!(opaque(&object).caster(0).is_none());
     }

@@ -68,6 +68,8 @@ struct Grid<'a> {
     light: &'a Light,
     area: &'a AreaLight,
     axes: [DVec3; 2],
+    /// How far places may be from the middle, in units of the axes.
+    reach: [f64; 2],
     center: &'a Incident,
     /// Whether the outlines say what is in the way.
     outlined: bool,
@@ -86,7 +88,7 @@ impl Tracer<'_> {
         let Intersection { point, geometric, error, .. } = *at.surface;
         let axes = area.axes_towards(incident.direction);
         let mut points = Points::new();
-        match origin(at.surface, light, area, axes) {
+        match origin(at.surface, light, axes, [area.reach(0), area.reach(1)]) {
             (origin, false) => points.push(origin),
             (_, true) => points.extend([point + error * geometric, point - error * geometric]),
         }
@@ -104,10 +106,11 @@ impl Tracer<'_> {
         center: &Incident,
     ) -> Rgb {
         let axes = area.axes_towards(center.direction);
-        let mut grid = Grid { light, area, axes, center, outlined: false, straddles: false };
+        let reach = [area.reach(0), area.reach(1)];
+        let mut grid = Grid { light, area, axes, reach, center, outlined: false, straddles: false };
         let plain = light.projected_through.is_none() && !light.runs_parallel() && !self.dims(light);
         if let (Some(Among::Screens(among)), true) = (at.among, plain) {
-            let (origin, straddles) = origin(at.surface, light, area, axes);
+            let (origin, straddles) = origin(at.surface, light, axes, reach);
             grid.straddles = straddles;
             match self.look_around(at, &grid, among, origin) {
                 OPEN if !straddles => {
@@ -140,8 +143,7 @@ impl Tracer<'_> {
         let left = at.hit.map(|hit| hit.object).filter(|&own| outside && geometry.is_left_for_good(own));
         let cone = Cone::new(middle, grid.area.radius());
         let Places { around, outlines, casters, .. } = &mut self.places;
-        let sight =
-            Sight { from: origin, middle, axes: grid.axes, reach: [0, 1].map(|axis| grid.area.reach(axis)) };
+        let sight = Sight { from: origin, middle, axes: grid.axes, reach: grid.reach };
         around.clear();
         outlines.clear(&sight);
         casters.resize_with(CASTERS, || None);
@@ -159,7 +161,7 @@ impl Tracer<'_> {
                         *caster = Some((screen.object, geometry.caster(screen.object)));
                     }
                     let caster = caster.as_ref().and_then(|(_, caster)| caster.as_ref());
-                    match caster.map(|caster| outlines.add(screen.object, caster, &sight)) {
+                    match caster.and_then(|caster| outlines.add(screen.object, caster, &sight)) {
                         Some(OPEN) => {}
                         Some(SHUT) => return SHUT,
                         Some(_) if !plan => {}
@@ -176,10 +178,13 @@ impl Tracer<'_> {
             let hull = Hull::new(grid.points(origin).into_iter().collect());
             around.retain(|(screen, _)| hull.meets(&geometry.bounds(screen.object)));
         }
-        for (screen, view) in around.iter().filter(|_| !plan) {
+        if plan {
+            return if around.is_empty() { OPEN } else { UNKNOWN };
+        }
+        for (screen, view) in around {
             outlines.add_balls(screen.object, view);
         }
-        if around.is_empty() && outlines.is_empty() { OPEN } else { UNKNOWN }
+        if outlines.is_empty() { OPEN } else { UNKNOWN }
     }
 
     /// The light of a grid every place of which is asked, from a point with few objects around.
@@ -333,10 +338,10 @@ impl Grid<'_> {
 
 /// Where rays to an area light start that leave on the side of the surface where its middle is, and whether
 /// some leave on the other side: then it is where those start that leave on the side of the viewer.
-fn origin(surface: &Intersection, light: &Light, area: &AreaLight, axes: [DVec3; 2]) -> (DVec3, bool) {
+fn origin(surface: &Intersection, light: &Light, axes: [DVec3; 2], reach: [f64; 2]) -> (DVec3, bool) {
     let normal = surface.geometric;
     let (way, [a, b]) = (light.location - surface.point, axes);
-    let across = a.dot(normal).abs() * area.reach(0) + b.dot(normal).abs() * area.reach(1);
+    let across = a.dot(normal).abs() * reach[0] + b.dot(normal).abs() * reach[1];
     // A point in space has no sides.
     let straddles = way.dot(normal).abs() <= across && normal != DVec3::ZERO;
     (surface.leave(if straddles { normal } else { way }), straddles)

@@ -42,36 +42,33 @@ impl Caster {
         Some(Self { form, opaque: object.opaque })
     }
 
-    /// Adds how it is seen to `seen`; what is known of all places, and `UNKNOWN` where they differ.
-    pub(super) fn look(&self, object: u32, sight: &Sight, seen: &mut Outlines) -> Verdict {
+    /// Adds how it is seen to `seen`; what is known of all places, and `UNKNOWN` where they differ. `None` where
+    /// nothing is known.
+    pub(super) fn look(&self, object: u32, sight: &Sight, seen: &mut Outlines) -> Option<Verdict> {
         let inner = |place: &Transform| {
             sight.mapped(|point| place.inverse_point(point), |vector| place.inverse_vector(vector))
         };
         match &self.form {
-            Form::Solids(solids) => return self.look_at(solids, object, sight, seen),
+            Form::Solids(solids) => {
+                let outside = solids.iter().all(|solid| solid.is_left_by(sight.from));
+                outside.then(|| self.look_at(solids, object, sight, seen))
+            }
             Form::Cylinder(place) => {
                 let sight = inner(place);
                 let mut border = Border::new(&mut seen.lines, &sight);
-                if cylinder::look(&sight, &mut border) {
-                    return self.finish(border, object, &mut seen.parts);
-                }
+                let known = cylinder::look(&sight, &mut border);
+                known.then(|| self.finish(border, object, &mut seen.parts))
             }
             Form::Torus(torus, place) => {
-                if let Some(ring) = Ring::new(torus, inner(place), self.opaque) {
-                    seen.parts.push((object, Part::Ring(ring)));
-                    return UNKNOWN;
-                }
+                let ring = Ring::new(torus, inner(place), self.opaque)?;
+                seen.parts.push((object, Part::Ring(ring)));
+                Some(UNKNOWN)
             }
         }
-        seen.parts.push((object, Part::Unknown));
-        UNKNOWN
     }
 
+    /// How solids are seen that the point is outside of.
     fn look_at(&self, solids: &[Solid], object: u32, sight: &Sight, seen: &mut Outlines) -> Verdict {
-        if !solids.iter().all(|solid| solid.is_left_by(sight.from)) {
-            seen.parts.push((object, Part::Unknown));
-            return UNKNOWN;
-        }
         let farthest = sight.farthest();
         let mut verdict = OPEN;
         for solid in solids {
