@@ -34,7 +34,8 @@ impl Ring {
     pub(super) fn new(torus: &Torus, sight: Sight, opaque: bool) -> Option<Self> {
         let Torus { major, minor } = *torus;
         let size = major + minor;
-        if !(sight.from.abs().max_element() < FAR * size) {
+        let near = sight.from.abs().max_element() < FAR * size;
+        if !near {
             return None;
         }
         let blur = BLUR * size;
