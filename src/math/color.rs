@@ -14,6 +14,14 @@ pub struct Rgbft {
     pub transmit: f32,
 }
 
+/// The index that stands for the grey of a colour among its five components.
+pub const GREY: u8 = 5;
+
+/// The grey that `.gray` takes of red, green and blue in functions, in POV-Ray's order.
+pub fn grey_of([red, green, blue]: [f64; 3]) -> f64 {
+    red * 0.297 + green * 0.589 + blue * 0.114
+}
+
 impl Rgbft {
     /// Opaque black.
     pub const BLACK: Self = Self::opaque(Rgb::ZERO);

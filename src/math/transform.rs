@@ -122,10 +122,14 @@ impl Transform {
     }
 
     /// Points of the outer space seen from the inner one.
+    #[inline(always)]
     pub fn inverse_along(&self, [x, y, z]: [Band; 3]) -> [Band; 3] {
         let DAffine3 { matrix3, translation } = self.inverse;
-        [0, 1, 2]
-            .map(|i| x * matrix3.x_axis[i] + y * matrix3.y_axis[i] + z * matrix3.z_axis[i] + translation[i])
+        let mut seen = [x; 3];
+        for (i, seen) in seen.iter_mut().enumerate() {
+            *seen = x * matrix3.x_axis[i] + y * matrix3.y_axis[i] + z * matrix3.z_axis[i] + translation[i];
+        }
+        seen
     }
 
     /// A direction of the outer space seen from the inner one.

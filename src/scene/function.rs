@@ -59,7 +59,7 @@ pub enum Expr {
     Recursion(Vec<Expr>),
     /// A user function that gives a number.
     User(Arc<Function>, Vec<Expr>),
-    /// `.x`, `.red` … of a user function that gives several components.
+    /// `.x`, `.red` … of a user function that gives several components, or their [`GREY`](crate::math::color::GREY).
     Component(Arc<Function>, Vec<Expr>, u8),
     /// `sum(i, from, to, e)`.
     Sum(Box<[Expr; 3]>),

@@ -8,6 +8,7 @@ pub mod tape;
 use std::sync::Arc;
 
 use super::sample::{Colors, Field, Sample};
+use crate::math::color::{GREY, grey_of};
 use crate::math::wide::widest;
 use crate::math::{Band, DVec3, Spline, Transform, tally};
 pub use budget::Budget;
@@ -133,6 +134,15 @@ impl Function {
     pub fn enclose_within(&self, arguments: &[Band], component: u8, budget: &Budget) -> Band {
         let at = |i: usize| arguments.get(i).copied().unwrap_or(Band::constant(0.0));
         match &self.body {
+            Body::Pigment(pigment) => pigment.enclose(&[at(0), at(1), at(2)], component),
+            _ if component == GREY => {
+                let of = |component: u8| {
+                    let mut share = [0.0; 3];
+                    share[usize::from(component)] = 1.0;
+                    self.enclose_within(arguments, component, budget) * grey_of(share)
+                };
+                of(0) + of(1) + of(2)
+            }
             Body::Tape(tape) => {
                 tally::functions(1);
                 tape.enclose(arguments, budget)
@@ -149,7 +159,6 @@ impl Function {
             }
             Body::Pattern(pattern) => pattern.enclose(&[at(0), at(1), at(2)]),
             Body::Spline(spline) => spline.along(at(0), component.into()),
-            Body::Pigment(pigment) => pigment.enclose(&[at(0), at(1), at(2)], component),
             Body::Transform(_) => Band::UNKNOWN,
         }
     }

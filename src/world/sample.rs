@@ -122,8 +122,8 @@ pub trait Colors: Send + Sync + std::fmt::Debug {
     /// The colour at `sample`, white and clear where there is none.
     fn color(&self, sample: &Sample) -> Rgbft;
 
-    /// What holds a component (0 … 4: red, green, blue, filter, transmit) of the colours of all points whose
-    /// coordinates these hold.
+    /// What holds a component (0 … 4: red, green, blue, filter, transmit; or their
+    /// [`GREY`](crate::math::color::GREY)) of the colours of all points whose coordinates these hold.
     fn enclose(&self, _point: &[Band; 3], _component: u8) -> Band {
         Band::UNKNOWN
     }

@@ -9,6 +9,7 @@ pub use mapping::{Mapping, Projection};
 pub use repeat::Repeat;
 
 use crate::math::noise::Octaves;
+use crate::math::wide::widest;
 use crate::math::{Band, DVec3, Transform};
 
 /// One step on the way to a pattern.
@@ -72,7 +73,18 @@ impl Warps {
     }
 
     /// What holds the places where the pattern sees all points that these hold.
-    pub fn along(&self, mut p: [Band; 3]) -> [Band; 3] {
+    pub fn along(&self, p: [Band; 3]) -> [Band; 3] {
+        if self.steps.is_empty() {
+            return p;
+        }
+        widest(
+            #[inline(always)]
+            || self.steps_along(p),
+        )
+    }
+
+    #[inline(always)]
+    fn steps_along(&self, mut p: [Band; 3]) -> [Band; 3] {
         for step in &self.steps {
             p = match step {
                 Warp::Transform(transform) => transform.inverse_along(p),

@@ -6,6 +6,7 @@ use crate::interp::limits::MOST_TERMS;
 use crate::interp::stream::{Token, TokenKind};
 use crate::interp::value::Value;
 use crate::interp::{Fault, Result, Vm, Word};
+use crate::math::color::GREY;
 use crate::scene::Function;
 use crate::scene::function::{BinaryOp, Builtin, Expr, FunctionBody};
 use crate::source::Span;
@@ -383,11 +384,10 @@ impl Body {
         let part = |index: u8| Expr::Component(function.clone(), arguments.clone(), index);
         let times = |part: Expr, by: f64| binary(BinaryOp::Multiply, part, Expr::Constant(by), true);
         let plus = |a: Expr, b: Expr| binary(BinaryOp::Add, a, b, false);
-        let gray = || plus(plus(times(part(0), 0.297), times(part(1), 0.589)), times(part(2), 0.114));
         let mixed = match token.kind {
-            TokenKind::Word(Word::Gray) => Some(gray()),
+            TokenKind::Word(Word::Gray) => Some(part(GREY)),
             TokenKind::Name(symbol) => match &**vm.symbols.name(symbol) {
-                "grey" => Some(gray()),
+                "grey" => Some(part(GREY)),
                 "hf" => Some(times(plus(part(0), times(part(1), 1.0 / 255.0)), 0.996093)),
                 _ => None,
             },

@@ -11,6 +11,9 @@ fn exponent(c: f64) -> i32 {
     ((c.to_bits() >> 52) & 0x7ff) as i32 - 1022
 }
 
+/// Added to differences of exponents to make them positive: without a sign they are divided faster.
+const ABOVE: i32 = 1 << 13;
+
 /// Powers of two: all roots but those at 0 are farther from it than the first and no farther than the second
 /// (Fujiwara).
 pub(super) fn bounds(c: &[f64]) -> (i32, i32) {
@@ -19,22 +22,26 @@ pub(super) fn bounds(c: &[f64]) -> (i32, i32) {
         return (0, 0);
     };
     let (low, high) = (exponent(c[first]), exponent(c[last]));
-    // Exponents are above by up to 1, those divided by may be too small by as much.
-    let rate = |above: i32, length: usize| -(-above - 1).div_euclid(length as i32);
-    let (mut least, mut most) = (None, None);
+    // Exponents are above by up to 1, those divided by may be too small by as much; rounded up.
+    let rate = |above: i32, length: usize| {
+        let length = length as u32;
+        (above.wrapping_add(ABOVE) as u32).wrapping_add(ABOVE as u32 * (length - 1) + length) / length
+    };
+    let (mut least, mut most) = (0, 0);
     for (i, c) in c.iter().enumerate().take(last + 1).skip(first) {
         if *c == 0.0 {
             continue;
         }
         let above = exponent(*c);
         if i < last {
-            most = most.max(Some(rate(above - high, last - i)));
+            most = most.max(rate(above - high, last - i));
         }
         if i > first {
-            least = least.max(Some(rate(above - low, i - first)));
+            least = least.max(rate(above - low, i - first));
         }
     }
-    (-1 - least.unwrap_or(0), 1 + most.unwrap_or(0))
+    let settled = |rate: u32| if rate == 0 { 0 } else { rate as i32 - ABOVE };
+    (-1 - settled(least), 1 + settled(most))
 }
 
 /// `x` times a power of two, where that is no number too large.

@@ -3,6 +3,7 @@
 use super::block::Block;
 use super::value::{number, transform, vector};
 use super::{pattern, texture};
+use crate::math::color::GREY;
 use crate::scene::Function;
 use crate::scene::function::{BinaryOp, Expr, FunctionBody};
 use crate::scene::spline::{Spline, SplineKind};
@@ -55,6 +56,9 @@ fn operand(e: &Expr) -> String {
         Expr::Power(base, exponent) => format!("pow({}, {exponent})", expression(base)),
         Expr::Recursion(arguments) => format!("self({})", list(arguments)),
         Expr::User(function, arguments) => format!("{}({})", name(function), list(arguments)),
+        Expr::Component(function, arguments, GREY) => {
+            format!("{}({}).gray", name(function), list(arguments))
+        }
         Expr::Component(function, arguments, index) => {
             format!("{}({}).{index}", name(function), list(arguments))
         }

@@ -2,6 +2,7 @@
 
 use super::COARSE;
 use super::scratch::{Found, Inside, Near, Scratch};
+use crate::math::Bounds;
 use crate::world::accel::Slabs;
 use crate::world::object::{Leaf, LeafFlags, Member, RayKind};
 use crate::world::parts::{Group, Operation, Parts};
@@ -79,18 +80,24 @@ impl Parts {
         kind: RayKind,
     ) -> Option<Found> {
         let (leaf, member) = (self.leaf(number), Member::Leaf(number));
-        let slabs = Slabs::new(ray);
-        let extent = self.extent(member);
-        let (enter, leave) = slabs.overlap_in(&extent.bounds, range)?;
-        if leaf.hidden.intersects(kind) || !self.admits(member, ray) {
+        if leaf.hidden.intersects(kind) {
             return None;
         }
-        let room = 4.0 * COARSE / ray.direction.length();
-        let mut way = Way { ray, slabs: &slabs, range, kind, room, parent: None };
-        if !extent.beyond {
-            way = way.narrowed(enter, leave);
+        let extent = self.extent(member);
+        let mut inner = range;
+        if extent.bounds != Bounds::ALL {
+            let slabs = Slabs::new(ray);
+            let (enter, leave) = slabs.overlap_in(&extent.bounds, range)?;
+            if !extent.beyond {
+                let room = 4.0 * COARSE / ray.direction.length();
+                let way = Way { ray, slabs: &slabs, range, kind, room, parent: None };
+                inner = way.narrowed(enter, leave).range;
+            }
         }
-        let crossing = leaf.primitive.nearest(&leaf.asked(ray), way.range)?;
+        if !self.admits(member, ray) {
+            return None;
+        }
+        let crossing = leaf.primitive.nearest(&leaf.asked(ray), inner)?;
         Some(Found { crossing, leaf: number, near: 0 })
     }
 
@@ -252,6 +259,15 @@ impl Parts {
     fn admits(&self, member: Member, ray: &Ray) -> bool {
         let bounds = self.limits(member).map_or(&[][..], |limits| &limits.bounds);
         bounds.iter().all(|&bound| {
+            // Of what is convex the stretch inside says it all.
+            if let Member::Leaf(number) = bound
+                && let leaf = self.leaf(number)
+                && leaf.limits.is_none()
+                && !leaf.flags.contains(LeafFlags::INVERTED)
+                && let Some(stretch) = leaf.primitive.convex(&leaf.asked(ray))
+            {
+                return stretch.is_some_and(|stretch| stretch.leave.t >= 0.0);
+            }
             self.inside(bound, ray.origin)
                 || self.nearest(bound, ray, Range::AHEAD, RayKind::empty()).is_some()
         })

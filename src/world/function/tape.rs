@@ -7,6 +7,7 @@ use smallvec::SmallVec;
 use super::number::{Number, Unary};
 use super::{Budget, Function, Internal};
 use crate::math::Band;
+use crate::math::color::{GREY, grey_of};
 
 /// A register's number. Parameters come first, intermediate values next, constants last.
 pub type Register = u16;
@@ -57,7 +58,7 @@ pub enum Code {
     Unary(Unary),
     /// An internal function of the registers from `a` on.
     Internal(Internal),
-    /// The component with this index of a function of the registers from `a` on.
+    /// The component with this index, or their grey, of a function of the registers from `a` on.
     Call(Arc<Function>, u8),
     /// The tape itself, of the registers from `a` on.
     Recursion,
@@ -285,6 +286,9 @@ impl Operand for f64 {
     fn call(function: &Function, arguments: &[Self], component: u8, budget: &Budget) -> Self {
         let mut value = [0.0; 5];
         function.call_within(arguments, &mut value, budget);
+        if component == GREY {
+            return grey_of([value[0], value[1], value[2]]);
+        }
         value.get(usize::from(component)).copied().unwrap_or(0.0)
     }
 

@@ -129,7 +129,7 @@ fn power_of_halves(x: f64, halves: u32) -> f64 {
 struct Least([[f64; 5]; 3]);
 
 impl Least {
-    /// For a point at `inside` (its place in its own cell, 0 … 1).
+    /// For a point at `inside`, its place from the corner of the cell that steps are counted from.
     fn new(metric: Metric, inside: DVec3) -> Self {
         let mut least = [[0.0; 5]; 3];
         if metric.grows() {
@@ -137,7 +137,7 @@ impl Least {
             for axis in 0..3 {
                 let gaps = [1.0 + inside[axis], inside[axis], 0.0, 1.0 - inside[axis], 2.0 - inside[axis]];
                 for step in [0, 1, 3, 4] {
-                    least[axis][step] = metric.part(gaps[step]);
+                    least[axis][step] = metric.part(gaps[step].max(0.0));
                 }
             }
         }
@@ -164,6 +164,9 @@ impl Least {
 /// So many of the [`NEIGHBOURS`] share a corner with the cell itself.
 const ADJACENT: usize = 27;
 
+/// The steps along two axes to what is at most one step away along both, the nearest first.
+const BESIDE: [[i32; 2]; 9] = [[0, 0], [-1, 0], [1, 0], [0, -1], [0, 1], [-1, -1], [-1, 1], [1, -1], [1, 1]];
+
 /// Room for as many, in whole registers.
 const PLACES: usize = 28;
 
@@ -186,8 +189,19 @@ struct Seeds {
 }
 
 thread_local! {
-    /// Those around the last point asked for: the next one is mostly in the same cell.
-    static SEEDS: RefCell<Option<Seeds>> = const { RefCell::new(None) };
+    /// Those around the last points asked for, one cell of two along each axis: the next point is mostly in
+    /// the same cell, or in one beside.
+    static SEEDS: RefCell<[Option<Seeds>; 8]> = const { RefCell::new([const { None }; 8]) };
+}
+
+/// The seeds around a cell, from those known or made and kept among them.
+#[inline(always)]
+fn seeds_around(known: &mut [Option<Seeds>; 8], cell: [i32; 3]) -> &Seeds {
+    let place = &mut known[(cell[0] & 1 | (cell[1] & 1) << 1 | (cell[2] & 1) << 2) as usize];
+    if place.as_ref().is_some_and(|seeds| seeds.cell != cell) {
+        *place = None;
+    }
+    place.get_or_insert_with(|| Seeds::of(cell))
 }
 
 impl Seeds {
@@ -203,28 +217,38 @@ impl Seeds {
     /// The three nearest to a point.
     #[inline(always)]
     fn nearest(&self, p: DVec3, metric: Metric) -> Nearest {
-        let sums = match metric {
-            Metric::Square => self.sums(p, |d| d * d),
-            Metric::Absolute => self.sums(p, f64::abs),
-            Metric::Halves(halves) if halves % 2 == 0 => {
-                self.sums(p, |d| power_of_halves(d.abs(), halves & !1))
-            }
-            Metric::Halves(halves) => self.sums(p, |d| power_of_halves(d.abs(), halves)),
-            Metric::Power(m) => self.sums(p, |d| d.abs().powf(m)),
-        };
         let mut nearest = Nearest { sums: [f64::INFINITY; 3], seed: DVec3::ZERO };
-        for (place, &sum) in sums.iter().enumerate().take(ADJACENT) {
+        for (place, &sum) in self.sums(p, metric).iter().enumerate().take(ADJACENT) {
             if sum < nearest.sums[2] {
-                nearest.meet(DVec3::new(self.x[place], self.y[place], self.z[place]), sum);
+                nearest.meet(self.at(place), sum);
             }
         }
         nearest
     }
 
-    /// The sums for a point. Written out: what is called for each place would not fill wide registers.
+    #[inline(always)]
+    fn at(&self, place: usize) -> DVec3 {
+        DVec3::new(self.x[place], self.y[place], self.z[place])
+    }
+
+    /// The sums that stand for the distances from a point.
+    #[inline(always)]
+    fn sums(&self, p: DVec3, metric: Metric) -> [f64; PLACES] {
+        match metric {
+            Metric::Square => self.sums_of(p, |d| d * d),
+            Metric::Absolute => self.sums_of(p, f64::abs),
+            Metric::Halves(halves) if halves % 2 == 0 => {
+                self.sums_of(p, |d| power_of_halves(d.abs(), halves & !1))
+            }
+            Metric::Halves(halves) => self.sums_of(p, |d| power_of_halves(d.abs(), halves)),
+            Metric::Power(m) => self.sums_of(p, |d| d.abs().powf(m)),
+        }
+    }
+
+    /// The same with a way to what a coordinate adds. Written out: what is called for each place would not fill wide registers.
     #[expect(clippy::needless_range_loop, reason = "four lists are gone through side by side")]
     #[inline(always)]
-    fn sums(&self, p: DVec3, part: impl Fn(f64) -> f64) -> [f64; PLACES] {
+    fn sums_of(&self, p: DVec3, part: impl Fn(f64) -> f64) -> [f64; PLACES] {
         let mut sums = [0.0; PLACES];
         for place in 0..PLACES {
             sums[place] = part(p.x - self.x[place]) + part(p.y - self.y[place]) + part(p.z - self.z[place]);
@@ -269,7 +293,7 @@ impl Nearest {
             if !least.may_any_reach(axis, step, self.sums[2]) {
                 continue;
             }
-            for (one, other) in (-1..=1).flat_map(|one| (-1..=1).map(move |other| (one, other))) {
+            for &[one, other] in &BESIDE {
                 let mut offset = [step; 3];
                 (offset[(axis + 1) % 3], offset[(axis + 2) % 3]) = (one, other);
                 if least.may_reach(offset, self.sums[2]) {
@@ -293,14 +317,10 @@ impl Crackle {
 
     /// The same, with seeds from which to go on.
     #[inline(always)]
-    fn value_by(&self, p: DVec3, seeds: &mut Option<Seeds>) -> f64 {
+    fn value_by(&self, p: DVec3, seeds: &mut [Option<Seeds>; 8]) -> f64 {
         let corner = (p - EPSILON).floor();
         let cell = [corner.x as i32, corner.y as i32, corner.z as i32];
-        let seeds = match seeds {
-            Some(seeds) if seeds.cell == cell => seeds,
-            _ => seeds.insert(Seeds::of(cell)),
-        };
-        let mut nearest = seeds.nearest(p, self.metric);
+        let mut nearest = seeds_around(seeds, cell).nearest(p, self.metric);
         if !self.metric.ends_nearby(nearest.sums[2]) {
             nearest.meet_far(p, corner, cell, self.metric);
         }

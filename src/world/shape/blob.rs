@@ -222,9 +222,10 @@ impl Blob {
         let range = Range { min: range.min - shift - room, max: range.max - shift + room };
         let mut spans = SmallVec::<[Span; 16]>::new();
         let (mut peak, mut last) = (0.0, f64::NEG_INFINITY);
-        // All along the line, so that a crossing is the same to the last bit whatever the range.
+        // What is wholly before or behind the range has no part in any sum within it.
         let reach = self.bounds.size().length() / ray.direction.length();
-        let line = if reach.is_finite() { Range { min: -reach, max: reach } } else { Range::LINE };
+        let reach = if reach.is_finite() { reach } else { f64::INFINITY };
+        let line = Range { min: range.min.max(-reach), max: range.max.min(reach) };
         widest(
             #[inline(always)]
             || {

@@ -186,33 +186,41 @@ impl Curve {
     }
 }
 
-/// Calls back with every w in 0 … 1 at which `value` changes sign, given `seeds` near which it may,
-/// ascending. What touches zero and returns doesn't count, and a zero at an end counts for one of the
-/// segments that share it, so that crossings stay in pairs.
-pub(super) fn sign_changes(seeds: &[f64], value: impl Fn(f64) -> f64, mut found: impl FnMut(f64)) {
-    let mut from = (0.0, value(0.0));
+/// Calls back with every argument between two `ends` at which `value` changes sign, given `seeds` near which it
+/// may, ascending. What touches zero and returns doesn't count, and a zero at an end counts for one of the
+/// stretches that share it, so that crossings stay in pairs.
+#[inline(always)]
+pub(super) fn sign_changes(
+    seeds: &[f64],
+    ends: [f64; 2],
+    value: impl Fn(f64) -> f64,
+    mut found: impl FnMut(f64),
+) {
+    let mut from = (ends[0], value(ends[0]));
     for (place, &seed) in seeds.iter().enumerate() {
-        let w = seeds.get(place + 1).map_or(1.0, |next| 0.5 * (seed + next));
+        let w = seeds.get(place + 1).map_or(ends[1], |next| 0.5 * (seed + next));
         let to = (w, value(w));
         if (from.1 > 0.0) != (to.1 > 0.0) {
-            found(change_near(seed, from, to, &value));
+            found(change_near(seed, NEXT * (ends[1] - ends[0]), from, to, &value));
         }
         from = to;
     }
     if seeds.is_empty() {
-        let to = (1.0, value(1.0));
+        let to = (ends[1], value(ends[1]));
         if (from.1 > 0.0) != (to.1 > 0.0) {
             found(between(from, to, &value));
         }
     }
 }
 
-/// Where between two points the sign changes, most likely next to `seed`.
-fn change_near(seed: f64, from: (f64, f64), to: (f64, f64), value: &impl Fn(f64) -> f64) -> f64 {
-    /// How exact seeds are that belong to single roots, and more.
-    const NEXT: f64 = 1e-10;
+/// How exact seeds are that belong to single roots, and more, as a share of the way.
+const NEXT: f64 = 1e-10;
+
+/// Where between two points the sign changes, most likely as near to `seed` as `next`.
+#[inline(always)]
+fn change_near(seed: f64, next: f64, from: (f64, f64), to: (f64, f64), value: &impl Fn(f64) -> f64) -> f64 {
     let at = |w: f64| (w, value(w));
-    let (low, high) = (at((seed - NEXT).max(from.0)), at((seed + NEXT).min(to.0)));
+    let (low, high) = (at((seed - next).max(from.0)), at((seed + next).min(to.0)));
     match (low.1 > 0.0) != (high.1 > 0.0) {
         true => between(low, high, value),
         false => between(from, to, value),

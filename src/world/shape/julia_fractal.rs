@@ -90,6 +90,24 @@ fn product(a: DVec4, b: DVec4) -> DVec4 {
     )
 }
 
+/// Its square, given the squares of its real part and of the length of the imaginary one.
+#[inline(always)]
+fn squared(q: DVec4, real: f64, imaginary: f64) -> DVec4 {
+    (q * (2.0 * q.x)).with_x(real - imaginary)
+}
+
+/// Its cube, likewise.
+#[inline(always)]
+fn cubed(q: DVec4, real: f64, imaginary: f64) -> DVec4 {
+    (q * (3.0 * real - imaginary)).with_x(q.x * (real - 3.0 * imaginary))
+}
+
+/// The squares of the real part and of the length of the imaginary one.
+#[inline(always)]
+fn squares(q: DVec4) -> [f64; 2] {
+    [q.x * q.x, q.y * q.y + q.z * q.z + q.w * q.w]
+}
+
 impl Orbit {
     fn is_quaternion(&self) -> bool {
         matches!(self.map, Map::Square | Map::Cube)

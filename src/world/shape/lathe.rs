@@ -77,6 +77,7 @@ impl Passing {
         if self.up > self.out {
             sign_changes(
                 &seeds,
+                [0.0, 1.0],
                 |w| self.gap(segment.point(w)),
                 |w| {
                     found(w, (segment.point(w).y - self.height) / self.up);
@@ -95,6 +96,7 @@ impl Passing {
         for branch in [-1.0, 1.0] {
             sign_changes(
                 &seeds,
+                [0.0, 1.0],
                 |w| self.above(segment.point(w), branch),
                 |w| {
                     let on = segment.point(w);
@@ -106,15 +108,21 @@ impl Passing {
         }
     }
 
-    /// Whether the ray may meet anything between two heights and within a radius.
+    /// Whether the ray may meet anything in a box of radii and heights: whether [`Passing::gap`] has no one
+    /// sign there.
     fn reaches(&self, [low, high]: [DVec2; 2]) -> bool {
-        let radius = low.x.abs().max(high.x.abs());
-        if radius * radius < self.nearest {
-            return false;
-        }
-        // How far from its nearest point the ray is within the radius, and how high that takes it.
-        let half = (radius * radius - self.nearest).sqrt() * self.up / self.out;
-        half.is_nan() || self.height - half <= high.y && self.height + half >= low.y
+        /// Many times what the gap is rounded by, as a share.
+        const NOISE: f64 = 1e-13;
+        let widest = low.x.abs().max(high.x.abs());
+        let narrowest = low.x.max(-high.x).max(0.0);
+        let (below, above) = (self.height - low.y, high.y - self.height);
+        let (least, most) = ((-below).max(-above).max(0.0), below.max(above));
+        let (up, out) = (self.up * self.up, self.out * self.out);
+        let size = most + self.height.abs();
+        let noise = NOISE * (up * (widest * widest + self.nearest) + out * most * size);
+        up * (widest * widest - self.nearest) - out * (least * least) >= -noise
+            && up * (narrowest * narrowest - self.nearest) - out * (most * most) <= noise
+            && widest * widest * (1.0 + NOISE) >= self.nearest
     }
 }
 

@@ -1,7 +1,8 @@
 //! `cubic`, `quartic`, `poly`, `polynomial` (docs/spec/primitives.md 3.9).
 
 use super::{Crossing, Shape};
-use crate::math::roots::each_root;
+use crate::math::roots::{any_between, each_root};
+use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec3};
 use crate::world::{Range, Ray};
 
@@ -19,7 +20,10 @@ pub const MAX_DEGREE: usize = 35;
 /// How far beyond its ends a range is searched, as a share of their distance.
 const BESIDE: f64 = 1e-6;
 
-/// A polynomial along a ray, the constant first.
+/// So many terms are few.
+const FEW: usize = 9;
+
+/// A polynomial along a ray, the constant first; terms beyond the count are 0.
 #[derive(Clone, Copy)]
 struct Along<const N: usize> {
     terms: [f64; N],
@@ -30,34 +34,36 @@ impl<const N: usize> Along<N> {
     const ZERO: Self = Self { terms: [0.0; N], count: 0 };
 
     /// Times `origin + direction t`.
+    #[inline(always)]
     fn step(&mut self, origin: f64, direction: f64) {
         if self.count == 0 {
             return;
         }
-        self.terms[self.count] = 0.0;
-        for i in (0..self.count).rev() {
-            let term = self.terms[i];
-            self.terms[i + 1] += term * direction;
-            self.terms[i] = term * origin;
-        }
         self.count += 1;
+        let count = self.length();
+        for i in (1..count).rev() {
+            self.terms[i] = self.terms[i] * origin + self.terms[i - 1] * direction;
+        }
+        self.terms[0] *= origin;
     }
 
+    /// How many terms are gone through: of few all, zeros too, as loops of a known length are written out.
+    #[inline(always)]
+    fn length(&self) -> usize {
+        if N <= FEW { N } else { self.count }
+    }
+
+    #[inline(always)]
     fn add(&mut self, other: &Self) {
-        for i in 0..other.count {
-            if i < self.count {
-                self.terms[i] += other.terms[i];
-            } else {
-                self.terms[i] = other.terms[i];
-            }
-        }
         self.count = self.count.max(other.count);
+        for i in 0..self.length() {
+            self.terms[i] += other.terms[i];
+        }
     }
 
+    #[inline(always)]
     fn add_constant(&mut self, constant: f64) {
-        if self.count == 0 {
-            (self.terms[0], self.count) = (0.0, 1);
-        }
+        self.count = self.count.max(1);
         self.terms[0] += constant;
     }
 }
@@ -84,6 +90,7 @@ impl Poly {
     }
 
     /// The polynomial in the distance along a ray.
+    #[inline(always)]
     fn along<const N: usize>(&self, ray: &Ray) -> Along<N> {
         let (o, d) = (ray.origin, ray.direction);
         let mut in_x = Along::<N>::ZERO;
@@ -105,7 +112,13 @@ impl Poly {
     }
 
     fn each_root<const N: usize>(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
-        let along = self.along::<N>(ray);
+        let along = widest(
+            #[inline(always)]
+            || self.along::<N>(ray),
+        );
+        if has_none::<N>(&along.terms, range) {
+            return;
+        }
         // All along the line, so that a crossing is the same to the last bit whatever the range.
         let line = [f64::NEG_INFINITY, f64::INFINITY];
         each_root::<N>(&along.terms[..along.count], line, [range.min, range.max], found);
@@ -160,6 +173,14 @@ impl Poly {
         }
         (value, slope, size)
     }
+}
+
+/// Whether signs alone tell that a polynomial of few terms has no root in a range.
+fn has_none<const N: usize>(terms: &[f64; N], range: Range) -> bool {
+    N <= FEW
+        && range.min.is_finite()
+        && range.max.is_finite()
+        && any_between(terms, range.min, range.max) == Some(false)
 }
 
 /// Without the leading entries that are `empty`.

@@ -88,6 +88,7 @@ impl Prism {
             let seeds = roots_between::<4>(&cubic, 0.0, 1.0);
             sign_changes(
                 seeds.as_slice(),
+                [0.0, 1.0],
                 |w| side(segment.point(w)),
                 |w| found(distance(w, segment), part, w),
             );
@@ -117,8 +118,12 @@ impl Prism {
     }
 
     fn center(&self) -> DVec3 {
-        let bounds = self.bounds();
-        if bounds.is_finite() { bounds.center() } else { DVec3::ZERO }
+        let [low, high] = self.outline.hull();
+        let [bottom, top] = self.heights;
+        let middle = 0.5 * (low + high);
+        let center = DVec3::new(middle.x, 0.5 * (bottom + top), middle.y);
+        let center = if self.conic { self.bounds().center() } else { center };
+        if center.is_finite() { center } else { DVec3::ZERO }
     }
 }
 

@@ -1,9 +1,10 @@
 //! `sor`, a surface of revolution (docs/spec/primitives.md 6.2).
 
+use super::curve::sign_changes;
 use super::lathe::turn;
-use super::stretch::Stretch;
+use super::stretch::{End, Stretch};
 use super::{Crossing, Shape};
-use crate::math::roots::{between, roots_between};
+use crate::math::roots::roots_between;
 use crate::math::{Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
@@ -24,7 +25,21 @@ struct Segment {
     high: f64,
     /// The square of the radius over the height above `low`, the constant first.
     square: [f64; 4],
+    /// What no square of the radius is below or above.
+    bounds: [f64; 2],
 }
+
+/// A ray as a surface of revolution sees it.
+struct Passing {
+    ray: Ray,
+    /// Where it comes nearest to the axis; not finite along the axis.
+    nearest: f64,
+    /// Its distance from the axis there, squared.
+    least: f64,
+}
+
+/// Many times what the square of a radius is rounded by, as a share.
+const ROOM: f64 = 1e-9;
 
 /// Parts before the segments.
 const ENDS: u32 = 2;
@@ -46,15 +61,27 @@ impl Segment {
         let mean = (to.x - from.x) * (to.x + from.x) / height;
         let square = (3.0 * mean - 2.0 * start - end) / height;
         let cube = (start + end - 2.0 * mean) / (height * height);
-        Self { low: from.y, high: to.y, square: [from.x * from.x, start, square, cube] }
+        let mut segment = Self {
+            low: from.y,
+            high: to.y,
+            square: [from.x * from.x, start, square, cube],
+            bounds: [0.0; 2],
+        };
+        segment.bounds = segment.extremes();
+        segment
     }
 
-    /// The greatest square of the radius.
-    fn greatest(&self) -> f64 {
+    /// The least and the greatest square of the radius, with some room.
+    fn extremes(&self) -> [f64; 2] {
         let [_, b, c, d] = self.square;
         let turns = roots_between::<3>(&[b, 2.0 * c, 3.0 * d], 0.0, self.high - self.low);
         let turns = turns.as_slice().iter().map(|h| self.low + h);
-        turns.chain([self.low, self.high]).map(|y| self.at(y).0).fold(0.0, f64::max)
+        let squares = turns.chain([self.low, self.high]).map(|y| self.at(y).0);
+        let [least, greatest] = squares.fold([f64::INFINITY, 0.0], |[least, greatest], square| {
+            [square.min(least), square.max(greatest)]
+        });
+        let room = ROOM * greatest;
+        [least - room, greatest]
     }
 }
 
@@ -70,7 +97,7 @@ impl Sor {
         if !segments.iter().all(|s| s.square.iter().all(|c| c.is_finite())) {
             return None;
         }
-        let radius = segments.iter().map(Segment::greatest).fold(0.0, f64::max).sqrt();
+        let radius = segments.iter().map(|s| s.bounds[1]).fold(0.0, f64::max).sqrt();
         let (low, high) = (rising[0].y, rising[rising.len() - 1].y);
         let bounds = Bounds::new(DVec3::new(-radius, low, -radius), DVec3::new(radius, high, radius));
         Some(Self { segments, bounds, open })
@@ -83,10 +110,20 @@ impl Sor {
         Some((segment, found.at(y).0))
     }
 
-    /// Crossings of the side of one segment between two distances along a ray.
-    fn side(&self, index: usize, ray: &Ray, ends: [f64; 2], found: &mut impl FnMut(f64, u32)) {
+    /// Crossings of the side of one segment between two distances along a ray, ascending.
+    fn side(&self, index: usize, passing: &Passing, ends: [f64; 2], found: impl FnMut(f64)) {
         let segment = &self.segments[index];
-        let (o, d) = (ray.origin, ray.direction);
+        let (o, d) = (passing.ray.origin, passing.ray.direction);
+        let beside = ends.map(|t| {
+            let p = passing.ray.at(t);
+            p.x * p.x + p.z * p.z
+        });
+        let is_nearest_between = ends[0] < passing.nearest && passing.nearest < ends[1];
+        let least = if is_nearest_between { passing.least } else { beside[0].min(beside[1]) };
+        let [narrow, wide] = segment.bounds;
+        if least > wide * (1.0 + ROOM) || beside[0].max(beside[1]) < narrow {
+            return;
+        }
         // The square of the surface's radius less the ray's, as a polynomial in the distance.
         let ([a, b, c, e], h) = (segment.square, o.y - segment.low);
         let cubic = [
@@ -96,30 +133,28 @@ impl Sor {
             d.y * d.y * d.y * e,
         ];
         let value = |t: f64| {
-            let p = ray.at(t);
+            let p = passing.ray.at(t);
             // Neighbours agree on the radius at the height they share.
             let y = if t == ends[0] || t == ends[1] { p.y.clamp(segment.low, segment.high) } else { p.y };
             segment.at(y).0 - (p.x * p.x + p.z * p.z)
         };
         let seeds = roots_between::<4>(&cubic, ends[0], ends[1]);
-        let middles = seeds.as_slice().windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-        let mut from = (ends[0], value(ends[0]));
-        for t in middles.chain([ends[1]]) {
-            let to = (t, value(t));
-            if (from.1 > 0.0) != (to.1 > 0.0) {
-                found(between(from, to, value), ENDS + index as u32);
-            }
-            from = to;
+        sign_changes(seeds.as_slice(), ends, value, found);
+    }
+
+    /// Whether an end that the ray meets is there.
+    fn has_end(&self, ray: &Ray, end: End) -> bool {
+        if !end.t.is_finite() || self.open {
+            return false;
         }
-    }
-}
-
-impl Shape for Sor {
-    fn bounds(&self) -> Bounds {
-        self.bounds
+        let p = ray.at(end.t);
+        let y = if end.part == 0 { self.bounds.min.y } else { self.bounds.max.y };
+        self.square_at(y).is_some_and(|(_, square)| p.x * p.x + p.z * p.z < square)
     }
 
-    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+    /// Calls back with the crossings in `range`, ascending, those of a segment at a time, until that says that
+    /// it has enough.
+    fn each(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> bool) {
         let (shift, ray) = ray.moved_to(self.bounds.center());
         let (low, high) = (self.bounds.min, self.bounds.max);
         let (o, d) = (ray.origin, ray.direction);
@@ -130,20 +165,29 @@ impl Shape for Sor {
         let away = d.x * d.x + d.z * d.z;
         let nearest = -(o.x * d.x + o.z * d.z) / away;
         let foot = ray.at(if nearest.is_finite() { nearest } else { 0.0 });
-        let chord = high.x * high.x * (1.0 + 1e-9) - (foot.x * foot.x + foot.z * foot.z);
+        let least = foot.x * foot.x + foot.z * foot.z;
+        let chord = high.x * high.x * (1.0 + ROOM) - least;
         if chord < 0.0 {
             return;
         }
         let half = (chord / away).sqrt();
         let around =
             if half.is_finite() { [nearest - half, nearest + half] } else { [-f64::INFINITY, f64::INFINITY] };
-        let from = out.len();
+        let passing = Passing { ray, nearest, least };
+        let mut enough = false;
         let mut push = |t: f64, part: u32| {
-            if range.contains(t + shift) {
-                out.push(Crossing::new(t + shift, part));
+            if !enough && range.contains(t + shift) {
+                enough = found(Crossing::new(t + shift, part));
             }
+            enough
         };
-        for (index, segment) in self.segments.iter().enumerate() {
+        if self.has_end(&ray, slab.enter) && push(slab.enter.t, slab.enter.part) {
+            return;
+        }
+        let count = self.segments.len();
+        for step in 0..count {
+            let index = if d.y < 0.0 { count - 1 - step } else { step };
+            let segment = &self.segments[index];
             let Some(part) = Stretch::slab((segment.low, 0), (segment.high, 0), o.y, d.y) else {
                 continue;
             };
@@ -152,18 +196,40 @@ impl Shape for Sor {
                 continue;
             }
             let ends = [part.enter.t.max(around[0]), part.leave.t.min(around[1])];
-            if ends[0] < ends[1] {
-                self.side(index, &ray, ends, &mut push);
+            let is_ahead = ends[1] + shift >= range.min && ends[0] + shift <= range.max;
+            if ends[0] < ends[1] && is_ahead {
+                let mut done = false;
+                self.side(index, &passing, ends, |t| done |= push(t, ENDS + index as u32));
+                if done {
+                    return;
+                }
             }
         }
-        for end in [slab.enter, slab.leave].into_iter().filter(|end| end.t.is_finite() && !self.open) {
-            let p = ray.at(end.t);
-            let y = if end.part == 0 { low.y } else { high.y };
-            if self.square_at(y).is_some_and(|(_, square)| p.x * p.x + p.z * p.z < square) {
-                push(end.t, end.part);
-            }
+        if self.has_end(&ray, slab.leave) {
+            push(slab.leave.t, slab.leave.part);
         }
-        out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
+    }
+}
+
+impl Shape for Sor {
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        self.each(ray, range, |crossing| {
+            out.push(crossing);
+            false
+        });
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let mut nearest = None;
+        self.each(ray, range, |crossing| {
+            nearest = Some(crossing);
+            true
+        });
+        nearest
     }
 
     fn inside(&self, point: DVec3) -> bool {

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::{Crossing, Shape};
 use crate::math::roots;
+use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
@@ -28,6 +29,18 @@ fn length(x: f64, y: f64) -> f64 {
 }
 
 impl Torus {
+    /// Whether a ray whose origin is at its closest approach passes the sphere and the slab around, as squares
+    /// alone tell.
+    #[inline(always)]
+    fn is_passed_by(&self, ray: &Ray) -> bool {
+        let radius = (self.major + self.minor) * ROOM;
+        let square = radius * radius - ray.origin.length_squared();
+        let above = ray.origin.y.abs() - self.minor * ROOM;
+        let rise = ray.direction.y * ray.direction.y * square;
+        // What is no number passes.
+        !(square >= 0.0) || above > 0.0 && above * above * ray.direction.length_squared() > rise * ROOM
+    }
+
     /// The stretch of the ray in which roots are looked for, inside the slab and the sphere around.
     fn clip(&self, ray: &Ray, speed: f64) -> Option<[f64; 2]> {
         let radius = (self.major + self.minor) * ROOM;
@@ -44,6 +57,16 @@ impl Torus {
         let (one, other) = ((-height - origin) / direction, (height - origin) / direction);
         let (low, high) = (one.min(other).max(-half), one.max(other).min(half));
         (low <= high).then_some([low, high])
+    }
+
+    /// Where a ray that doesn't pass by has its closest approach, and the ray from there.
+    #[inline]
+    fn moved(&self, ray: &Ray) -> Option<(f64, Ray)> {
+        let (shift, ray) = widest(
+            #[inline(always)]
+            || ray.moved_to(DVec3::ZERO),
+        );
+        (!self.is_passed_by(&ray)).then_some((shift, ray))
     }
 
     /// The stretches in which the ray may meet the tube: what [`clip`](Self::clip) leaves, but for the cylinder
@@ -90,8 +113,10 @@ impl Torus {
 
     /// Calls back with the crossings in range, ascending, until told to stop.
     fn each(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> bool) {
+        let Some((shift, ray)) = self.moved(ray) else {
+            return;
+        };
         let speed = ray.direction.length();
-        let (shift, ray) = ray.moved_to(DVec3::ZERO);
         let stretches = self.stretches(&ray, speed);
         if stretches.iter().all(|[low, high]| low > high) {
             return;
@@ -114,8 +139,10 @@ impl Torus {
 
     /// Whether the ray meets the surface in `range`, as far as signs alone tell.
     fn is_met(&self, ray: &Ray, range: Range) -> Option<bool> {
+        let Some((shift, ray)) = self.moved(ray) else {
+            return Some(false);
+        };
         let speed = ray.direction.length();
-        let (shift, ray) = ray.moved_to(DVec3::ZERO);
         let ahead = |[low, high]: [f64; 2]| [low.max(range.min - shift), high.min(range.max - shift)];
         let stretches = self.stretches(&ray, speed).map(ahead);
         if stretches.iter().all(|[low, high]| low >= high) {

@@ -4,9 +4,11 @@
 
 use std::sync::Arc;
 
+use smallvec::SmallVec;
+
 use super::{BlendMap, Pigment};
-use crate::math::Band;
-use crate::math::{Lanes, Rgbft};
+use crate::math::color::{GREY, grey_of};
+use crate::math::{Band, Lanes, Rgbft};
 use crate::world::image::along::{Of, ROUNDING};
 use crate::world::pattern::Pattern;
 use crate::world::sample::Field;
@@ -33,7 +35,7 @@ impl Pigment {
         match self {
             Self::Color(color) => Band::constant(of(color)),
             Self::Colors(pattern, map) => {
-                let points: Vec<_> =
+                let points: SmallVec<[_; 16]> =
                     map.entries().iter().map(|(at, color)| (f64::from(*at), of(color))).collect();
                 let most = points.iter().fold(0.0, |most: f64, (_, value)| most.max(value.abs()));
                 let room = Band::between(-most * ROUNDING, most * ROUNDING);
@@ -111,9 +113,18 @@ fn blended(
     rounded(all.unwrap_or(Band::UNKNOWN))
 }
 
-/// A component, in the order red, green, blue, filter, transmit.
+/// A component, in the order red, green, blue, filter, transmit, or their grey.
 pub(super) fn component(color: &Rgbft, number: u8) -> f64 {
-    color.to_array().get(usize::from(number)).copied().map_or(0.0, f64::from)
+    let [red, green, blue, filter, transmit] = color.to_array();
+    match number {
+        0 => red.into(),
+        1 => green.into(),
+        2 => blue.into(),
+        3 => filter.into(),
+        4 => transmit.into(),
+        GREY => grey_of([red.into(), green.into(), blue.into()]),
+        _ => 0.0,
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Crackles along lines: bounds of their values.
 
-use super::{ADJACENT, Crackle, Metric, NEIGHBOURS, SEEDS, Seeds, seed};
+use super::{ADJACENT, BESIDE, Crackle, Least, Metric, NEIGHBOURS, SEEDS, Seeds, seed, seeds_around};
 use crate::math::noise::{EPSILON, noise};
+use crate::math::wide::widest;
 use crate::math::{Band, DVec3, Lanes};
 
 /// A value along a stretch: in the middle, by how much it rises to the end, and what it may be off.
@@ -12,6 +13,9 @@ const ANY: Strip = [0.5, 0.0, 0.5];
 
 /// The longest stretch, to either side of its middle, of which something is said.
 const LONGEST: f64 = 0.5;
+
+/// What may be off by as much isn't worth the search for seeds.
+const VAGUE: f64 = 0.6;
 
 /// Coordinates up to here.
 const FAR: f64 = 1e8;
@@ -37,18 +41,25 @@ impl Crackle {
 
     /// What holds the values at all points that these hold.
     pub(in crate::world::pattern) fn along(&self, p: &[Band; 3]) -> Band {
-        let strips: [Strip; Lanes::COUNT] = std::array::from_fn(|lane| {
-            let of =
-                |value: fn(&Band) -> Lanes| DVec3::from_array(p.each_ref().map(|band| value(band).0[lane]));
-            let (middle, along, reach) = (of(|b| b.middle), of(|b| b.slope), of(|b| b.reach));
-            self.strip(middle, along, reach)
+        let [x, y, z] = p;
+        let mut strips = [ANY; Lanes::COUNT];
+        SEEDS.with_borrow_mut(|seeds| {
+            for (lane, strip) in strips.iter_mut().enumerate() {
+                let of = |x: &Lanes, y: &Lanes, z: &Lanes| DVec3::new(x.0[lane], y.0[lane], z.0[lane]);
+                let (middle, along, reach) = (
+                    of(&x.middle, &y.middle, &z.middle),
+                    of(&x.slope, &y.slope, &z.slope),
+                    of(&x.reach, &y.reach, &z.reach),
+                );
+                *strip = self.strip(seeds, middle, along, reach);
+            }
         });
         let lanes = |part: usize| Lanes(strips.map(|strip| strip[part]));
         let band = Band { middle: lanes(0), slope: lanes(1), reach: lanes(2) };
         band.loose().max(Band::constant(0.0)).min(Band::constant(1.0))
     }
 
-    fn strip(&self, middle: DVec3, along: DVec3, reach: DVec3) -> Strip {
+    fn strip(&self, seeds: &mut [Option<Seeds>; 8], middle: DVec3, along: DVec3, reach: DVec3) -> Strip {
         let half = along.abs() + reach;
         // What is no number is not short either.
         if !(half.max_element() <= LONGEST && middle.abs().max_element() < FAR) {
@@ -56,45 +67,72 @@ impl Crackle {
         }
         let rounding = ROUNDING * (1.0 + middle.abs().max_element());
         let spread = self.metric.distance(self.metric.sum(half)) * (1.0 + ROUNDING) + rounding;
+        let vague = spread * self.form.abs().element_sum() >= VAGUE;
+        if vague && self.solid.is_none() && self.has_distances() {
+            return ANY;
+        }
         let stretch = Stretch { middle, along, reach, spread };
         let room = half + 2.0 * EPSILON;
         let (low, high) = ((middle - room - EPSILON).floor(), (middle + room).floor());
-        let steps = |i: usize| (low[i] as i32)..=(high[i] as i32);
-        let cells = steps(0).flat_map(|x| steps(1).flat_map(move |y| steps(2).map(move |z| [x, y, z])));
-        cells.map(|cell| self.in_cell(cell, stretch)).reduce(hull).unwrap_or(ANY)
+        let mut all: Option<Strip> = None;
+        for x in low.x as i32..=high.x as i32 {
+            for y in low.y as i32..=high.y as i32 {
+                for z in low.z as i32..=high.z as i32 {
+                    let strip = self.in_cell([x, y, z], stretch, seeds);
+                    all = Some(all.map_or(strip, |all| hull(all, strip)));
+                }
+            }
+        }
+        all.unwrap_or(ANY)
+    }
+
+    /// How many of the nearest seeds the value is made of.
+    fn counting(&self) -> usize {
+        match self.form {
+            _ if self.solid.is_some() => 1,
+            form if form.z != 0.0 => 3,
+            form if form.y != 0.0 => 2,
+            _ => 1,
+        }
     }
 
     /// The same, as the seeds around one cell have it.
-    fn in_cell(&self, cell: [i32; 3], stretch: Stretch) -> Strip {
+    fn in_cell(&self, cell: [i32; 3], stretch: Stretch, seeds: &mut [Option<Seeds>; 8]) -> Strip {
         if !self.has_distances() {
             return self.in_cell_by_sums(cell, stretch);
         }
         let Stretch { middle, spread, .. } = stretch;
-        let mut near: Vec<(f64, DVec3)> = Vec::with_capacity(NEIGHBOURS.len());
-        let distance = |seed: DVec3| (self.metric.distance(self.metric.sum(middle - seed)), seed);
-        SEEDS.with_borrow_mut(|seeds| {
-            let seeds = match seeds {
-                Some(seeds) if seeds.cell == cell => seeds,
-                _ => seeds.insert(Seeds::of(cell)),
-            };
-            let places = (0..ADJACENT).map(|i| DVec3::new(seeds.x[i], seeds.y[i], seeds.z[i]));
-            near.extend(places.map(distance));
-        });
-        near.sort_by(|a, b| a.0.total_cmp(&b.0));
-        if near[2].0 + 2.0 * spread >= 1.0 {
-            near.extend(NEIGHBOURS[ADJACENT..].iter().map(|&offset| distance(seed(cell, offset))));
-            near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let seeds = seeds_around(seeds, cell);
+        let mut near = widest(
+            #[inline(always)]
+            || Near::among(seeds, middle, self.metric),
+        );
+        // Those of the other cells are a whole cell away from all points of this one.
+        let counting = self.counting();
+        if self.metric.distance(near.sums[counting - 1]) + spread >= 1.0 - ROUNDING {
+            near.meet_far(middle, cell, self.metric);
+        }
+        let mut distances = [f64::INFINITY; Near::COUNT];
+        for place in 0..=counting {
+            distances[place] = self.metric.distance(near.sums[place]);
         }
         if let Some(generator) = self.solid {
-            let first = near.iter().take_while(|(d, _)| *d <= near[0].0 + 2.0 * spread);
-            let values = first.map(|(_, seed)| noise(generator, *seed));
+            let within = |place: usize| self.metric.distance(near.sums[place]) <= distances[0] + 2.0 * spread;
+            if within(Near::COUNT - 1) {
+                return ANY;
+            }
+            let values =
+                (0..Near::COUNT).filter(|place| within(*place)).map(|i| noise(generator, near.seeds[i]));
             return values.map(|v| [v, 0.0, 0.0]).reduce(hull).unwrap_or(ANY);
         }
         let mut sum = [0.0; 3];
         for (k, weight) in self.form.to_array().into_iter().enumerate() {
-            let apart = |a: usize, b: usize| near[b].0 - near[a].0 > 2.0 * spread;
+            if weight == 0.0 {
+                continue;
+            }
+            let apart = |a: usize, b: usize| distances[b] - distances[a] > 2.0 * spread;
             let alone = (k == 0 || apart(k - 1, k)) && apart(k, k + 1);
-            let strip = self.distance_along(near[k], stretch, alone);
+            let strip = self.distance_along((distances[k], near.seeds[k]), stretch, alone);
             sum = [sum[0] + weight * strip[0], sum[1] + weight * strip[1], sum[2] + weight.abs() * strip[2]];
         }
         sum
@@ -160,6 +198,62 @@ impl Crackle {
         }
         let half = (farthest - here).max(here - nearest);
         [here, 0.0, half + ROUNDING * (1.0 + farthest)]
+    }
+}
+
+/// The seeds nearest to a point, the nearest first, with the sums that stand for their distances: the three that
+/// count, and the one that might take the place of the third.
+struct Near {
+    sums: [f64; Near::COUNT],
+    seeds: [DVec3; Near::COUNT],
+}
+
+impl Near {
+    const COUNT: usize = 4;
+
+    /// Those of the cells that share a corner.
+    #[inline(always)]
+    fn among(seeds: &Seeds, p: DVec3, metric: Metric) -> Self {
+        let mut near = Self { sums: [f64::INFINITY; Self::COUNT], seeds: [DVec3::ZERO; Self::COUNT] };
+        for (place, &sum) in seeds.sums(p, metric).iter().enumerate().take(ADJACENT) {
+            if sum < near.sums[Self::COUNT - 1] {
+                near.meet(sum, seeds.at(place));
+            }
+        }
+        near
+    }
+
+    /// Meets those of the other cells around, as far as they may be as near.
+    #[inline(never)]
+    fn meet_far(&mut self, p: DVec3, cell: [i32; 3], metric: Metric) {
+        let corner = DVec3::from_array(cell.map(f64::from));
+        let least = Least::new(metric, p - corner);
+        for (axis, step) in [(0, -2), (0, 2), (1, -2), (1, 2), (2, -2), (2, 2)] {
+            if !least.may_any_reach(axis, step, self.sums[Self::COUNT - 1]) {
+                continue;
+            }
+            for &[one, other] in &BESIDE {
+                let mut offset = [step; 3];
+                (offset[(axis + 1) % 3], offset[(axis + 2) % 3]) = (one, other);
+                if least.may_reach(offset, self.sums[Self::COUNT - 1]) {
+                    let seed = seed(cell, offset);
+                    self.meet(metric.sum(p - seed), seed);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn meet(&mut self, sum: f64, seed: DVec3) {
+        if sum >= self.sums[Self::COUNT - 1] {
+            return;
+        }
+        let mut place = Self::COUNT - 1;
+        while place > 0 && sum < self.sums[place - 1] {
+            (self.sums[place], self.seeds[place]) = (self.sums[place - 1], self.seeds[place - 1]);
+            place -= 1;
+        }
+        (self.sums[place], self.seeds[place]) = (sum, seed);
     }
 }
 

@@ -1,9 +1,9 @@
 //! POV-Ray's march along a ray: steps by a guess of how far the surface is, at least as long as the precision says.
 //! What is thinner may be passed by, and is in the same pictures as in POV-Ray's.
 
-use super::{AT_ONCE, JuliaFractal, Map};
-use crate::math::DVec3;
+use super::{AT_ONCE, JuliaFractal, Map, cubed, squared, squares};
 use crate::math::roots::between;
+use crate::math::{DVec3, DVec4};
 use crate::world::Ray;
 
 /// How far behind its start a ray begins to look for the surface that may be there, many times what rounding
@@ -22,20 +22,46 @@ pub(super) struct Passage {
 impl JuliaFractal {
     /// Follows the orbit of a point; `direction` is a unit vector along the march.
     pub(super) fn follow(&self, p: DVec3, direction: DVec3) -> Passage {
+        match self.orbit.map {
+            Map::Square => self.follow_quaternion(p, 0.5, squared),
+            Map::Cube => self.follow_quaternion(p, 1.0 / 3.0, cubed),
+            _ => self.follow_hypercomplex(p, direction),
+        }
+    }
+
+    /// The same for a power of quaternions; `share` is one over its exponent.
+    #[inline(always)]
+    fn follow_quaternion(&self, p: DVec3, share: f64, power: impl Fn(DVec4, f64, f64) -> DVec4) -> Passage {
+        let (escape, constant) = (self.orbit.escape(), self.orbit.constant);
+        let mut q = self.orbit.start(p);
+        // The square of the product of all lengths, and what it tells of the way to the surface.
+        let (mut chain, mut part) = (1.0, 1.0);
+        let mut excess = 0.0;
+        for _ in 0..self.orbit.iterations {
+            let [real, imaginary] = squares(q);
+            let square = real + imaginary;
+            excess = square - escape;
+            chain *= square;
+            part *= share;
+            if square > escape || square.is_nan() {
+                // How fast orbits part, from the product of all lengths.
+                let clear = part * (square / chain).sqrt() * square.ln();
+                return Passage { inside: false, excess, clear: clear.max(self.step) };
+            }
+            q = power(q, real, imaginary) + constant;
+        }
+        Passage { inside: true, excess, clear: self.step }
+    }
+
+    fn follow_hypercomplex(&self, p: DVec3, direction: DVec3) -> Passage {
         let escape = self.orbit.escape();
         let mut q = self.orbit.start(p);
-        let mut chain = 1.0;
         let mut excess = 0.0;
         for turn in 0..self.orbit.iterations {
             let square = q.length_squared();
             excess = square - escape;
-            chain *= square.sqrt();
             if square > escape || square.is_nan() {
-                let clear = match self.orbit.map {
-                    Map::Square => spread(square, chain, 0.5_f64.powi(turn as i32 + 1)),
-                    Map::Cube => spread(square, chain, (1.0 / 3.0_f64).powi(turn as i32 + 1)),
-                    _ => self.clearance(p, direction, turn, square),
-                };
+                let clear = self.clearance(p, direction, turn, square);
                 return Passage { inside: false, excess, clear: clear.max(self.step) };
             }
             q = self.orbit.apply(q);
@@ -90,9 +116,4 @@ impl JuliaFractal {
             (t, here) = (next, there);
         }
     }
-}
-
-/// The estimate for quaternions that escaped: how fast orbits part, from the product of all lengths.
-fn spread(square: f64, chain: f64, share: f64) -> f64 {
-    share * square.sqrt() / chain * square.ln()
 }
