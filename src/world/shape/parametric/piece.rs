@@ -31,10 +31,20 @@ const TURNED_EVERY: u32 = 4;
 /// Parts that are looked at in all: poles have many.
 const PARTS: usize = 2000;
 
-/// By how much the slopes of a part may change, as a share of themselves, that is taken to have no fold.
-const EVEN: f64 = 0.5;
+/// By how much the slopes of a part may change, as a share of themselves, that is taken to have no fold. Below 1 no
+/// two points of the part are seen at the same place; the rest is for terms of the fourth order.
+const EVEN: f64 = 0.75;
 
-/// What is known of a part along four lines through its middle, times this holds for all of it.
+/// What is known of a part along four lines through its middle, to the middles of the sides (u, v) and to the corners
+/// (their mean: m), times this holds for all of it, but for terms of the fourth order in the part's size.
+///
+/// With s and t as shares of the sides, terms of the second order are a s² + b s t + c t², and those of the third
+/// A (s³ - s t²) + D (t³ - s² t) + R (s² t + s t²)/2 + F (s t² - s² t)/2, of which A and D are the values at the
+/// middles of sides and R and F those at corners. At the two ends of a line even and odd terms add up and cancel each
+/// other, so the larger end is as far from the plane as both together. Hence |a| + |A| ≤ u, |c| + |D| ≤ v and
+/// |b| + (|R| + |F|)/2 ≤ m, and no term in brackets is above 1, or 2 for those over 2: all terms are at most
+/// u + v + 2 m. Their derivatives by s are at most 2 u + m and 3 u + 2 v + 3 m, those by t the same with u and v
+/// exchanged.
 const SAFETY: f64 = 2.0;
 
 /// A part is narrowed where this share of it is left, or less.
@@ -174,10 +184,10 @@ impl<'a> Piece<'a> {
     }
 
     fn look(&self, local: &Local) -> Found {
-        let [u, v, mixed] = local.bends.map(|bend| SAFETY * self.room(bend));
+        let [u, v, mixed] = local.bends.map(|bend| self.room(bend));
         let off = self.project(local.point - self.ray.origin);
         let slopes = local.slopes.map(|slope| self.project(slope));
-        let room = u + v + mixed + self.rounding;
+        let room = SAFETY * (u + v + mixed) + self.rounding;
         let inverse = DMat2::from_cols(slopes[0], slopes[1]).inverse();
         let size = DMat2::from_cols(inverse.x_axis.abs(), inverse.y_axis.abs());
         let start = -(inverse * off);
@@ -201,16 +211,17 @@ impl<'a> Piece<'a> {
         if low.cmpgt(high).any() || off.abs().cmpgt(slopes[0].abs() + slopes[1].abs() + room).any() {
             return Found::None;
         }
-        // How the slopes change along either side.
-        let by = [DMat2::from_cols(2.0 * u, mixed), DMat2::from_cols(mixed, 2.0 * v)].map(|by| size * by);
         let norm = |m: DMat2| (m.x_axis + m.y_axis).max_element();
-        if norm(by[0] + by[1]) < EVEN {
+        let both = 2.0 * (u + v) + 3.0 * mixed;
+        if norm(size * DMat2::from_cols(u + both, v + both)) < EVEN {
             return Found::One(start);
         }
         if (high - low).min_element() < 2.0 * NARROW {
             return Found::Between(low, high);
         }
-        let [by_u, by_v] = by.map(norm);
+        // How the slopes change along either side.
+        let along = [DMat2::from_cols(2.0 * u, mixed), DMat2::from_cols(mixed, 2.0 * v)];
+        let [by_u, by_v] = along.map(|by| norm(size * by));
         Found::Open(usize::from(by_u.is_nan() || by_v.is_nan() || by_u < by_v))
     }
 
