@@ -56,7 +56,11 @@ impl Sums {
     /// The variances of the means.
     fn variances(&self) -> [f64; 4] {
         let n = self.count as f64;
-        std::array::from_fn(|i| (self.squares[i] / n - (self.values[i] / n).powi(2)) / n)
+        let mut variances = [0.0; 4];
+        for (variance, (value, square)) in variances.iter_mut().zip(self.values.iter().zip(&self.squares)) {
+            *variance = (square / n - (value / n).powi(2)) / n;
+        }
+        variances
     }
 }
 
@@ -102,8 +106,8 @@ impl Eye<'_> {
                 };
                 let (first, count) = (sums.count, Lanes::COUNT.min(end - sums.count));
                 let mut places = [(x, y); Lanes::COUNT];
-                for lane in 0..count {
-                    places[lane] = shifted(first + lane);
+                for (index, place) in (first..).zip(&mut places[..count]) {
+                    *place = shifted(index);
                 }
                 let rays = self.four_rays(blur, perspective, &places, first);
                 self.world.geometry.hits(&within, &rays, count, RayKind::IMAGE, &mut hits);

@@ -326,7 +326,17 @@ impl Geometry {
             (plain || near()) && self.occluders_of(object, number, ray, range, through)
         };
         let blocker = match among {
-            Among::Near(numbers) => numbers.iter().copied().find(|&number| is_shut(number)),
+            Among::Near(numbers) => {
+                let mut blocker = None;
+                // A loop: what is asked is compiled together with it.
+                for &number in numbers {
+                    if is_shut(number) {
+                        blocker = Some(number);
+                        break;
+                    }
+                }
+                blocker
+            }
             Among::Screens(screens) => {
                 let way = (ray.direction * range.max).to_array();
                 let blocking = screens.iter().find(|screen| match screen.from(ray.origin).verdict(way) {

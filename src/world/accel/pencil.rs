@@ -132,9 +132,8 @@ impl Four {
     #[inline(always)]
     pub fn new(rays: &Rays, within: &Within) -> Self {
         let mut four = Self { origin: [Vec4::ZERO; 3], inverse: [Vec4::ZERO; 3], scale: within.scale };
-        let center = within.center.to_array();
-        for axis in 0..3 {
-            let from = single((rays.origin[axis] - center[axis]) * within.scale);
+        for (axis, center) in within.center.to_array().into_iter().enumerate() {
+            let from = single((rays.origin[axis] - center) * within.scale);
             let slope = single(rays.direction[axis]);
             four.origin[axis] = from;
             four.inverse[axis] = slope.abs().max(Vec4::splat(LEAST_SLOPE)).copysign(slope).recip();

@@ -90,12 +90,12 @@ impl FocalBlur {
     #[inline(always)]
     pub fn rays(&self, directions: &[Lanes; 3], first: usize, shifts: &[DVec2; Lanes::COUNT]) -> Rays {
         let (mut x, mut y) = (Lanes::ZERO, Lanes::ZERO);
-        for lane in 0..Lanes::COUNT {
+        for (lane, &shift) in shifts.iter().enumerate() {
             let place = self.places[(first + lane).min(self.places.len() - 1)];
-            let place = place + 2.0 * self.spread * shifts[lane];
+            let place = place + 2.0 * self.spread * shift;
             (x.0[lane], y.0[lane]) = (place.x, place.y);
         }
-        let [across, upward] = self.axes.map(|axis| axis.to_array());
+        let (across, upward) = (self.axes[0].to_array(), self.axes[1].to_array());
         let location = self.location.to_array();
         let mut rays = Rays { origin: [Lanes::ZERO; 3], direction: *directions };
         for axis in 0..3 {
@@ -113,8 +113,10 @@ impl FocalBlur {
 
     /// The middle of the lens, and the corners of a square around all places where rays start.
     pub fn extent(&self) -> (DVec3, [DVec3; 4]) {
-        let [x, y] = self.axes.map(|axis| (0.5 + self.spread) * axis);
-        (self.location, [x + y, x - y, y - x, -x - y].map(|corner| self.location + corner))
+        let wide = 0.5 + self.spread;
+        let (x, y) = (wide * self.axes[0], wide * self.axes[1]);
+        let at = |corner: DVec3| self.location + corner;
+        (self.location, [at(x + y), at(x - y), at(y - x), at(-x - y)])
     }
 
     /// The rays from all over the lens for directions, not normalised, that are between four; `None` where

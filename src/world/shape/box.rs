@@ -103,12 +103,14 @@ impl Cuboid {
             let ray = rays.ray(lane);
             let of =
                 |distances: &[Lanes; 3]| [distances[0].0[lane], distances[1].0[lane], distances[2].0[lane]];
-            let faces = match odd >> lane & 1 {
-                0 => Some(Faces { near: of(&near), far: of(&far) }),
-                _ => self.faces(&ray),
+            let faces = if odd >> lane & 1 == 0 {
+                Faces { near: of(&near), far: of(&far) }
+            } else if let Some(faces) = self.faces(&ray) {
+                faces
+            } else {
+                continue;
             };
-            let end = faces.and_then(|faces| Self::first(&faces, &ray, Range::AHEAD));
-            if let Some(End { t, part }) = end {
+            if let Some(End { t, part }) = Self::first(&faces, &ray, Range::AHEAD) {
                 nearest.0[lane] = t;
                 parts.0[lane] = f64::from(part);
             }
