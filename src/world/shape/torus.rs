@@ -37,8 +37,9 @@ impl Torus {
         let square = radius * radius - ray.origin.length_squared();
         let above = ray.origin.y.abs() - self.minor * ROOM;
         let rise = ray.direction.y * ray.direction.y * square;
+        let misses_slab = above > 0.0 && above * above * ray.direction.length_squared() > rise * ROOM;
         // What is no number passes.
-        !(square >= 0.0) || above > 0.0 && above * above * ray.direction.length_squared() > rise * ROOM
+        square.is_nan() || square < 0.0 || misses_slab
     }
 
     /// The stretch of the ray in which roots are looked for, inside the slab and the sphere around.

@@ -113,8 +113,8 @@ impl Crackle {
             near.meet_far(middle, cell, self.metric);
         }
         let mut distances = [f64::INFINITY; Near::COUNT];
-        for place in 0..=counting {
-            distances[place] = self.metric.distance(near.sums[place]);
+        for (distance, sum) in distances.iter_mut().zip(&near.sums[..=counting]) {
+            *distance = self.metric.distance(*sum);
         }
         if let Some(generator) = self.solid {
             let within = |place: usize| self.metric.distance(near.sums[place]) <= distances[0] + 2.0 * spread;
