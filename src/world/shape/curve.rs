@@ -86,6 +86,12 @@ impl Segment {
         self.c[1] + w * (2.0 * self.c[2] + 3.0 * w * self.c[3])
     }
 
+    /// Coefficients of 1, v, v², v³ for the points at `w + v`.
+    pub(super) fn about(&self, w: f64) -> [DVec2; 4] {
+        let [_, _, c, d] = self.c;
+        [self.point(w), self.slope(w), c + 3.0 * w * d, d]
+    }
+
     /// One coordinate, or any linear function of both, as a polynomial in w.
     pub fn polynomial(&self, coordinate: impl Fn(DVec2) -> f64) -> [f64; 4] {
         self.c.map(coordinate)
@@ -97,7 +103,7 @@ impl Segment {
     }
 
     /// Where a coordinate turns.
-    fn extremes(&self, coordinate: impl Fn(DVec2) -> f64) -> Roots<3> {
+    pub(super) fn extremes(&self, coordinate: impl Fn(DVec2) -> f64) -> Roots<3> {
         let [_, b, c, d] = self.polynomial(coordinate);
         roots_between(&[b, 2.0 * c, 3.0 * d], 0.0, 1.0)
     }

@@ -19,6 +19,9 @@ pub struct Lathe {
     pub profile: Curve,
 }
 
+/// Rays that rise less than this for each unit of their way about the axis are flat.
+const FLAT: f64 = 1.0 / 16.0;
+
 /// Places on a segment near which something changes its sign.
 type Seeds = SmallVec<[f64; 11]>;
 
@@ -62,13 +65,38 @@ impl Passing {
             let roots = quadratic(term(1, 1), term(0, 1), term(0, 0) - up * self.nearest);
             return roots.into_iter().flatten().filter(|w| (0.0..=1.0).contains(w)).collect();
         }
+        Seeds::from_slice(roots_between::<7>(&self.gaps(radius, height), 0.0, 1.0).as_slice())
+    }
+
+    /// [`Passing::gap`] along a segment, of which radius and height above the ray are given.
+    fn gaps(&self, radius: [f64; 4], height: [f64; 4]) -> [f64; 7] {
         let (radii, heights) = (square(radius), square(height));
+        let (up, out) = (self.up * self.up, self.out * self.out);
         let mut gap = [0.0; 7];
         for i in 0..7 {
             gap[i] = up * radii[i] - out * heights[i];
         }
         gap[0] -= up * self.nearest;
-        Seeds::from_slice(roots_between::<7>(&gap, 0.0, 1.0).as_slice())
+        gap
+    }
+
+    /// Adds where [`Passing::gap`] is zero near a place on a segment that is, or nearly, at the ray's own height.
+    /// There a flat ray has all its crossings, so close together that only a polynomial about that place, in
+    /// which nothing cancels, parts them.
+    fn seeds_near(&self, segment: &Segment, level: f64, seeds: &mut Seeds) {
+        let [low, high] = segment.hull();
+        // Twice as far as the ray rises on its way through the whole.
+        let rise = 2.0 * self.up * low.x.abs().max(high.x.abs()) / self.out;
+        let about = segment.about(level);
+        let mut height = about.map(|p| p.y);
+        height[0] -= self.height;
+        let reach = (rise / height[1].abs()).min((rise / height[2].abs()).sqrt());
+        if height[0].abs() > rise || !reach.is_finite() {
+            return;
+        }
+        let gap = self.gaps(about.map(|p| p.x), height);
+        let roots = roots_between::<7>(&gap, -reach.min(level), reach.min(1.0 - level));
+        seeds.extend(roots.as_slice().iter().map(|beside| level + beside));
     }
 
     /// Calls back with the place on the segment and the distance of every crossing.
@@ -90,7 +118,14 @@ impl Passing {
         if segment.is_straight() {
             seeds.extend(Some(-height[0] / height[1]).filter(|w| (0.0..=1.0).contains(w)));
         } else {
-            seeds.extend_from_slice(roots_between::<4>(&height, 0.0, 1.0).as_slice());
+            let levels = roots_between::<4>(&height, 0.0, 1.0);
+            if self.up < FLAT * self.out {
+                let turns = segment.extremes(|p| p.y);
+                for &place in levels.as_slice().iter().chain(turns.as_slice()) {
+                    self.seeds_near(segment, place, &mut seeds);
+                }
+            }
+            seeds.extend_from_slice(levels.as_slice());
         }
         seeds.sort_unstable_by(f64::total_cmp);
         for branch in [-1.0, 1.0] {
