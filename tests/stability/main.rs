@@ -47,7 +47,7 @@ const PLACES: [f64; 3] = [1e3, 1e5, 1e7];
 const RAYS: u64 = 10_000;
 
 /// Subjects that have fewer, and why.
-const FEWER: [(u64, &[&str], &str); 3] = [
+const FEWER: [(u64, &[&str], &str); 2] = [
     (
         1000,
         &["julia.cube", "julia.hypercomplex", "julia.square"],
@@ -55,22 +55,9 @@ const FEWER: [(u64, &[&str], &str); 3] = [
     ),
     (
         1000,
-        &[
-            "blob.cylinders",
-            "lathe.linear",
-            "ovus",
-            "prism.conic",
-            "prism.linear",
-            "sor",
-            "sphere_sweep.cubic",
-            "sphere_sweep.linear",
-            "superellipsoid.pointed",
-            "superellipsoid.round",
-            "text",
-        ],
-        "their rows have not been renewed yet",
+        &["text"],
+        "since of ten thousand at one place one meets the edge of a letter 1223 ulps away, on its other face",
     ),
-    (2000, &["quadric.cone", "quadric.hyperboloid", "quartic.torus"], "their rows have not been renewed yet"),
 ];
 
 /// Rays to a scale of a subject.
