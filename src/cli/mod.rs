@@ -55,7 +55,7 @@ pub fn main(
 
 /// Whether a command line is POV-Ray's rather than povista's own.
 fn speaks_povray(words: &[String]) -> bool {
-    let own = |word: &String| word.len() > 2 && word.starts_with("--");
+    let own = |word: &String| native::is_own(word);
     let command = words.first().is_some_and(|word| native::COMMANDS.contains(&word.as_str()));
     let version = matches!(words, [word] if word == "-V");
     povray::asks_for_benchmark(words)

@@ -4,11 +4,11 @@ use std::ops::Range as Span;
 
 use super::finish::{Surface, iridescence};
 use super::shade::At;
+use super::shadow::Target;
 use super::trace::Tracer;
 use crate::math::{DVec3, Rgb};
 use crate::world::Light;
 use crate::world::light::{AreaLight, Incident, is_dark};
-use crate::world::object::LeafFlags;
 
 /// A lamp's light at a hit.
 #[derive(Clone, Copy, Debug)]
@@ -97,7 +97,7 @@ impl Tracer<'_> {
         let light = &self.world.lights[*number as usize];
         let grid = self.illuminating(light);
         let mut back = false;
-        if grid.is_none() && !self.facing(at, surface, &incident.direction) {
+        if grid.is_none() && !surface.faces(at.leaf, &incident.direction) {
             if surface.finish.diffuse_back <= 0.0 {
                 self.statistics.lights_behind += 1;
                 return Rgb::ZERO;
@@ -106,12 +106,7 @@ impl Tracer<'_> {
         }
         let unblocked = match *unblocked {
             Some(known) => known,
-            None => {
-                self.blocker = self.blockers[*number as usize];
-                let found = self.unblocked(&at.target(), *number, incident);
-                self.blockers[*number as usize] = self.blocker;
-                *unblocked.insert(found)
-            }
+            None => *unblocked.insert(self.arriving(&at.target(), *number, incident)),
         };
         if is_dark(unblocked) {
             return Rgb::ZERO;
@@ -140,19 +135,24 @@ impl Tracer<'_> {
         }
     }
 
+    /// What arrives of a lamp's light; what was in the way of it last is asked first.
+    #[inline]
+    pub(super) fn arriving(&mut self, at: &Target, number: u32, incident: &Incident) -> Rgb {
+        self.blocker = self.blockers[number as usize];
+        let found = self.unblocked(at, number, incident);
+        self.blockers[number as usize] = self.blocker;
+        found
+    }
+
     /// The grid of a light whose places light one by one.
     #[inline]
     fn illuminating<'l>(&self, light: &'l Light) -> Option<&'l AreaLight> {
         light.area.as_ref().filter(|area| area.area_illumination && self.quality.area_lights)
     }
 
-    fn facing(&self, at: &At, surface: &Surface, to_light: &DVec3) -> bool {
-        at.leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || surface.faces(to_light)
-    }
-
     /// What a layer makes of the light `color` from one place.
     #[inline]
-    fn answer(
+    pub(super) fn answer(
         &mut self,
         surface: &Surface,
         to_light: &DVec3,
@@ -182,7 +182,7 @@ impl Tracer<'_> {
             let offset = area.offset(axes, (u, v), self.grid_shift(area));
             let incident = light.reaching_from_grid(at.surface.point, offset);
             let color = share * incident.attenuation;
-            let facing = self.facing(at, surface, &incident.direction);
+            let facing = surface.faces(at.leaf, &incident.direction);
             if facing || surface.finish.diffuse_back > 0.0 {
                 sum += self.answer(surface, &incident.direction, color, !facing, light.shadowless);
             }

@@ -6,6 +6,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use crate::math::noise::Octaves;
 use crate::math::{DVec3, Rgb};
 use crate::world::light::power;
+use crate::world::object::{Leaf, LeafFlags};
 use crate::world::texture::Finish;
 use crate::world::texture::Irid;
 
@@ -35,10 +36,10 @@ pub(super) struct Surface<'a> {
 }
 
 impl Surface<'_> {
-    /// Whether it is lit from a direction.
+    /// Whether the front of it, of a leaf, is lit from a direction.
     #[inline]
-    pub(super) fn faces(&self, to_light: &DVec3) -> bool {
-        self.normal.dot(*to_light) >= FACING
+    pub(super) fn faces(&self, leaf: &Leaf, to_light: &DVec3) -> bool {
+        leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || self.normal.dot(*to_light) >= FACING
     }
 
     /// What of the light `color` from some direction is scattered towards the eye, from the front or

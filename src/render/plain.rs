@@ -75,19 +75,15 @@ impl<'w> Tracer<'w> {
             self.statistics.lights_dark += 1;
             return Rgb::ZERO;
         }
-        let facing = leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || lit.faces(&incident.direction);
+        let facing = lit.faces(leaf, &incident.direction);
         if !facing && lit.finish.diffuse_back <= 0.0 {
             self.statistics.lights_behind += 1;
             return Rgb::ZERO;
         }
-        self.blocker = self.blockers[number as usize];
-        let color = self.unblocked(at, number, &incident);
-        self.blockers[number as usize] = self.blocker;
+        let color = self.arriving(at, number, &incident);
         if is_dark(color) {
             return Rgb::ZERO;
         }
-        let diffuse = lit.diffuse(&incident.direction, color, !facing, 0.0);
-        let shines = facing && !light.shadowless;
-        if shines { diffuse + lit.highlights(&incident.direction, color) } else { diffuse }
+        self.answer(lit, &incident.direction, color, !facing, light.shadowless)
     }
 }

@@ -79,6 +79,20 @@ pub(super) struct Mirror {
     irid: Option<Irid>,
 }
 
+impl Mirror {
+    /// What a layer mirrors that ways of this weight come to, where it reflects.
+    fn of(finish: &Finish, reflectivity: Option<Reflectivity>, normal: DVec3, weight: f32) -> Option<Self> {
+        let (reflection, reflectivity) = finish.reflection.as_ref().zip(reflectivity)?;
+        Some(Self {
+            normal,
+            share: reflectivity.color,
+            weight: weight * reflectivity.weight,
+            exponent: reflection.exponent.recip(),
+            irid: finish.irid,
+        })
+    }
+}
+
 /// What shines through the members of a blend.
 #[derive(Default)]
 struct Sum {
@@ -240,13 +254,7 @@ impl Tracer<'_> {
             stack.color += stack.through * (color.rgb * own * opacity + direct);
         }
         let reflectivity = self.reflectivity(at, finish, normal, color.rgb);
-        let mirror = finish.reflection.as_ref().zip(reflectivity).map(|(reflection, reflectivity)| Mirror {
-            normal: *normal,
-            share: reflectivity.color,
-            weight: at.path.weight * stack.share * reflectivity.weight,
-            exponent: reflection.exponent.recip(),
-            irid: finish.irid,
-        });
+        let mirror = Mirror::of(finish, reflectivity, *normal, at.path.weight * stack.share);
         if given.is_some() {
             stack.through *= color.through();
         }
@@ -381,17 +389,8 @@ impl Tracer<'_> {
         let attenuation = Rgb::ONE;
         let at = At { path, hit, surface, leaf, attenuation, passage: None, plain: true, arrivals: None };
         let reflectivity = self.reflectivity(&at, finish, &surface.normal, color);
-        let Some((reflection, reflectivity)) = finish.reflection.as_ref().zip(reflectivity) else {
-            return Rgb::ZERO;
-        };
-        let mirror = Mirror {
-            normal: surface.normal,
-            share: reflectivity.color,
-            weight: path.weight * reflectivity.weight,
-            exponent: reflection.exponent.recip(),
-            irid: None,
-        };
-        self.reflection(&at, &mirror)
+        let mirror = Mirror::of(finish, reflectivity, surface.normal, path.weight);
+        mirror.map_or(Rgb::ZERO, |mirror| self.reflection(&at, &mirror))
     }
 
     /// What a layer mirrors.

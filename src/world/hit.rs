@@ -257,7 +257,8 @@ impl Geometry {
     }
 
     /// The leaf that is all of an object, where it is no compound.
-    fn lone(&self, number: u32) -> Option<&Leaf> {
+    #[inline(always)]
+    pub(super) fn lone(&self, number: u32) -> Option<&Leaf> {
         match self.parts.objects[number as usize].member {
             Member::Leaf(leaf) => Some(self.parts.leaf(leaf)),
             Member::Group(_) => None,

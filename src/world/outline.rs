@@ -21,7 +21,7 @@ const BLUR: f64 = 1e-8;
 const ROUNDING: f64 = 1e-12;
 
 /// A flat light as a point sees it: all ways there are `middle` + x `axes[0]` + y `axes[1]`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Sight {
     /// The point.
     pub from: DVec3,
@@ -104,8 +104,7 @@ pub struct Outlines {
     lines: Vec<Line>,
     /// The parts of objects, with their objects' numbers, those of an object next to each other.
     parts: Vec<(u32, Part)>,
-    middle: DVec3,
-    axes: [DVec3; 2],
+    sight: Sight,
 }
 
 impl Outlines {
@@ -113,7 +112,7 @@ impl Outlines {
     pub fn clear(&mut self, sight: &Sight) {
         self.lines.clear();
         self.parts.clear();
-        (self.middle, self.axes) = (sight.middle, sight.axes);
+        self.sight = *sight;
     }
 
     /// Whether nothing is in the way anywhere.
@@ -148,9 +147,7 @@ impl Outlines {
             let found = match part {
                 &Part::Lines(first, last) => self.beside_lines(first, last, x, y),
                 Part::Ring(ring) => ring.verdict(x, y),
-                Part::Balls(view) => {
-                    view.verdict((self.middle + self.axes[0] * x + self.axes[1] * y).to_array())
-                }
+                Part::Balls(view) => view.verdict(self.sight.way(x, y).to_array()),
             };
             if found == SHUT {
                 return SHUT;

@@ -66,9 +66,7 @@ impl Asking<'_> {
     /// The leaf that is all of an object, where four rays can be asked at once.
     #[inline(always)]
     fn lone(&self, number: u32) -> Option<&Leaf> {
-        let parts = self.geometry.parts();
-        let Member::Leaf(leaf) = parts.objects[number as usize].member else { return None };
-        let leaf = parts.leaf(leaf);
+        let leaf = self.geometry.lone(number)?;
         (leaf.transform.is_none() && leaf.limits.is_none() && leaf.primitive.takes_four()).then_some(leaf)
     }
 

@@ -39,6 +39,11 @@ const LONG_VERSION: &str = concat!(
 pub(super) const COMMANDS: [&str; 10] =
     ["render", "check", "fmt", "dump", "diff", "compare", "bench", "lsp", "completions", "help"];
 
+/// Whether a word is an option that only povista has.
+pub(super) fn is_own(word: &str) -> bool {
+    word.len() > 2 && word.starts_with("--")
+}
+
 /// Runs a command line and returns the exit code.
 pub(super) fn main(
     arguments: Vec<OsString>,
@@ -137,7 +142,7 @@ fn mixed(words: &[OsString]) -> Option<Problem> {
     let is_switch =
         |word: &&&str| word.strip_prefix('+').is_some_and(|rest| rest.starts_with(char::is_alphabetic));
     let switch = words.iter().find(is_switch).filter(|switch| !Path::new(switch).exists())?;
-    let own = words.iter().find(|word| word.len() > 2 && word.starts_with("--")).or(command)?;
+    let own = words.iter().find(|word| is_own(word)).or(command)?;
     let mixed = Problem::new(format!("`{switch}` is a word of POV-Ray's and `{own}` one of povista's own"));
     Some(
         mixed.help(

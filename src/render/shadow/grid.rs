@@ -31,9 +31,6 @@ const SEEN: u8 = 1;
 const HIDDEN: u8 = 2;
 const TINTED: u8 = 3;
 
-/// What so many places that are seen make of four.
-const QUARTERS: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
-
 /// What the places of a grid show, and the room to find that out.
 #[derive(Debug, Default)]
 pub(in crate::render) struct Places {
@@ -236,7 +233,7 @@ impl Tracer<'_> {
         let tinted = shown.contains(&TINTED);
         if fine && !tinted && (!coarse || shown == [shown[0]; 4]) {
             let seen = shown.iter().filter(|&&shown| shown == SEEN).count();
-            return grid.center.color * QUARTERS[seen];
+            return grid.center.color * (0.25 * seen as f32);
         }
         let mut corners = [Rgb::ZERO; 4];
         for ((corner, shown), (u, v)) in corners.iter_mut().zip(shown).zip(places) {

@@ -51,8 +51,14 @@ impl Hull {
 
     /// The box outside of which the hull meets nothing.
     pub(super) fn around(&self) -> Bounds {
-        let blur = BLUR * self.bounds.min.abs().max(self.bounds.max.abs()).max_element();
+        let blur = self.blur();
         Bounds { min: self.bounds.min - blur, max: self.bounds.max + blur }
+    }
+
+    /// By how much rounding may have moved the points.
+    #[inline]
+    fn blur(&self) -> f64 {
+        BLUR * self.bounds.min.abs().max(self.bounds.max.abs()).max_element()
     }
 
     /// The hull moved and scaled by `inner`, an affine map that doesn't turn.
@@ -62,7 +68,6 @@ impl Hull {
 
     /// Whether the hull may share a point with the box.
     pub fn meets(&self, bounds: &Bounds) -> bool {
-        let blur = BLUR * self.bounds.min.abs().max(self.bounds.max.abs()).max_element();
         let Bounds { min: low, max: high } = self.around();
         if low.cmpgt(bounds.max).any() || high.cmplt(bounds.min).any() {
             return false;
@@ -71,7 +76,7 @@ impl Hull {
             return true;
         }
         let (center, half) = (bounds.center(), bounds.size() / 2.0);
-        let blur = blur + BLUR * center.abs().max_element();
+        let blur = self.blur() + BLUR * center.abs().max_element();
         self.axes.iter().all(|(axis, [low, high])| {
             let size = axis.abs();
             // No axis is longer than the sum of its components.

@@ -150,11 +150,17 @@ impl Probe {
                 exit[lane] = if leave < exit[lane] { leave } else { exit[lane] };
             }
         }
-        let room = Vec4::splat(1.0 + 2.0 * SLACK);
-        let ([near, more_near], [leave, more_leave]) = (halves(&entry), halves(&exit));
-        let (met, more_met) = (near.cmple(leave * room), more_near.cmple(more_leave * room));
-        (entry, met.bitmask() | more_met.bitmask() << 4)
+        (entry, met(&entry, &exit))
     }
+}
+
+/// The bits of the boxes that are entered before they are left, or nearly.
+#[inline(always)]
+pub(super) fn met(entry: &Lanes, exit: &Lanes) -> u32 {
+    let room = Vec4::splat(1.0 + 2.0 * SLACK);
+    let ([near, more_near], [leave, more_leave]) = (halves(entry), halves(exit));
+    let (met, more_met) = (near.cmple(leave * room), more_near.cmple(more_leave * room));
+    met.bitmask() | more_met.bitmask() << 4
 }
 
 #[inline(always)]

@@ -112,11 +112,7 @@ impl Piece {
                 }
             }
         }
-        let mut met = 0;
-        for lane in 0..WIDTH {
-            met |= u32::from(entry[lane] <= exit[lane] * (1.0 + 2.0 * SLACK)) << lane;
-        }
-        (entry, met)
+        (entry, node::met(&entry, &exit))
     }
 }
 
