@@ -3,7 +3,9 @@
 use povista::math::DVec3;
 use povista::world::{Geometry, Range, Ray, RayKind};
 
+use crate::double::Double;
 use crate::model::{Exact, Line, Meeting, Subject, half_length};
+use crate::real::Moved;
 
 /// What to shoot at.
 pub(crate) struct Target<'a, M> {
@@ -16,6 +18,9 @@ pub(crate) struct Target<'a, M> {
 
 /// More crossings than any subject has.
 const MOST: usize = 5000;
+
+/// By so many units a distance may be off.
+const LEAP: f64 = 8.0;
 
 /// How the answers were.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -190,25 +195,43 @@ impl<M: Subject> Target<'_, M> {
 
     /// The errors of a distance and a normal.
     fn errors(&self, line: &Line, t: f64, normal: DVec3, crossing: &Exact) -> (f64, f64) {
-        let t_exact = crate::double::Double::of(line.shift) + crossing.t;
-        let error = (crate::double::Double::of(t) - t_exact).abs().to_f64();
+        let t_exact = Double::of(line.shift) + crossing.t;
+        let error = (Double::of(t) - t_exact).abs().to_f64();
         let moved = self.model.sensitivity(line, crossing);
         let gradient = DVec3::from_array(moved.slope);
-        let slope = gradient.dot(line.direction()).abs();
-        let unit = f64::EPSILON * (moved.by / slope + t.abs());
         // Sine and cosine, since the cosine alone loses half the digits.
         let (sine, cosine) = (gradient.cross(normal).length(), gradient.dot(normal).abs());
-        (error / unit, sine.atan2(cosine).to_degrees())
+        (error / unit(line, &moved, t), sine.atan2(cosine).to_degrees())
     }
 
-    /// Whether some move of the line by four units in the last place of its numbers changes the count.
+    /// Whether some move of the line by four units in the last place of its numbers changes the count, or puts a
+    /// crossing on another piece and farther away than a distance may be off.
+    ///
+    /// The condition of a hit is the slope of its distance as the line moves. That tells nothing of a line which
+    /// runs along a wall, nearer to it than it is known itself: the line leaves the solid where the wall begins or,
+    /// moved by no more than its rounding, at the other end of the wall, and has as many crossings either way.
     fn is_undecidable(&self, line: &Line, exact: &Meeting) -> bool {
         let mut dice = Dice::new(exact.crossings.len() as u64);
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let aside = axes.into_iter().chain((0..4).map(|_| dice.cube().normalize()));
         aside.flat_map(|to| [to, -to]).any(|to| {
             let moved = self.model.meet(&line.moved(to * line.room));
-            !moved.doubtful.is_empty() || moved.crossings.len() != exact.crossings.len()
+            let leaps = |(one, other): (&Exact, &Exact)| {
+                one.piece != other.piece && {
+                    let away = (one.t - other.t).abs().to_f64();
+                    let moved = self.model.sensitivity(line, one);
+                    away > LEAP * unit(line, &moved, one.t.to_f64() + line.shift)
+                }
+            };
+            !moved.doubtful.is_empty()
+                || moved.crossings.len() != exact.crossings.len()
+                || exact.crossings.iter().zip(&moved.crossings).any(leaps)
         })
     }
+}
+
+/// What a distance is off by when all inputs are off by one unit in the last place.
+fn unit(line: &Line, moved: &Moved, t: f64) -> f64 {
+    let slope = DVec3::from_array(moved.slope).dot(line.direction()).abs();
+    f64::EPSILON * (moved.by / slope + t.abs())
 }
