@@ -104,6 +104,10 @@ impl Tracer<'_> {
             }
             back = true;
         }
+        if grid.is_none() && !surface.answers(&incident.direction, back) {
+            self.statistics.lights_unseen += 1;
+            return Rgb::ZERO;
+        }
         let unblocked = match *unblocked {
             Some(known) => known,
             None => *unblocked.insert(self.arriving(&at.target(), *number, incident)),

@@ -42,6 +42,15 @@ impl Surface<'_> {
         leaf.flags.contains(LeafFlags::DOUBLE_ILLUMINATE) || self.normal.dot(*to_light) >= FACING
     }
 
+    /// Whether any of the light from some direction would be seen: what lets all light pass, or is a mirror,
+    /// has highlights only, and these are small.
+    #[inline]
+    pub(super) fn answers(&self, to_light: &DVec3, back: bool) -> bool {
+        let Finish { diffuse, diffuse_back, crand, .. } = *self.finish;
+        let scatters = if back { diffuse_back > 0.0 } else { diffuse > 0.0 };
+        crand != 0.0 || scatters && self.opacity != 0.0 || !back && self.highlight(to_light) != 0.0
+    }
+
     /// What of the light `color` from some direction is scattered towards the eye, from the front or
     /// through from the back.
     #[inline]
@@ -60,7 +69,7 @@ impl Surface<'_> {
     /// The phong and specular highlights of light from some direction.
     #[inline]
     pub(super) fn highlights(&self, to_light: &DVec3, color: Rgb) -> Rgb {
-        let strength = self.phong(to_light) + self.specular(to_light);
+        let strength = self.highlight(to_light);
         if strength == 0.0 {
             return Rgb::ZERO;
         }
@@ -69,6 +78,11 @@ impl Surface<'_> {
             amount => metallic(amount, self.color, self.normal.dot(*to_light)),
         };
         color * tint * strength as f32
+    }
+
+    #[inline]
+    fn highlight(&self, to_light: &DVec3) -> f64 {
+        self.phong(to_light) + self.specular(to_light)
     }
 
     #[inline]

@@ -80,6 +80,10 @@ impl<'w> Tracer<'w> {
             self.statistics.lights_behind += 1;
             return Rgb::ZERO;
         }
+        if !lit.answers(&incident.direction, !facing) {
+            self.statistics.lights_unseen += 1;
+            return Rgb::ZERO;
+        }
         let color = self.arriving(at, number, &incident);
         if is_dark(color) {
             return Rgb::ZERO;

@@ -52,6 +52,8 @@ counters! {
     shadow_textures: "textures in shadows",
     /// Lights skipped because the surface faces away.
     lights_behind: "lights behind surfaces",
+    /// Lights skipped because the surface has highlights only, and none there.
+    lights_unseen: "lights without a highlight",
     /// Lights skipped because they don't reach the point.
     lights_dark: "lights out of reach",
     /// Lights that needed no shadow ray.

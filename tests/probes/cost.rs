@@ -23,6 +23,22 @@ fn shadowless_lights_and_surfaces_without_diffuse_need_no_shadow_rays() {
 }
 
 #[test]
+fn where_a_mirror_has_no_highlight_nothing_asks_for_its_shadow() {
+    let mirror = |finish: &str, pigment: &str| {
+        let finish = format!("finish{{ambient 0 diffuse 0 specular 1 roughness .001 {finish}}}");
+        statistics(&format!("light_source{{0 rgb 1}} WALL(pigment{{{pigment}}} {finish})"))
+    };
+    for pigment in ["rgb 1", "rgbt 1", "rgb .5 transmit .5"] {
+        let counts = mirror("", pigment);
+        assert_eq!(counts.shadow_rays + counts.lights_open + counts.lights_unseen, 192, "{pigment}");
+        assert!((1..192).contains(&counts.lights_unseen), "{pigment}: {}", counts.lights_unseen);
+    }
+    assert_eq!(mirror("diffuse .1", "rgb 1").lights_unseen, 0);
+    // What lets all light pass scatters none.
+    assert_ne!(mirror("diffuse .1", "rgbt 1").lights_unseen, 0);
+}
+
+#[test]
 fn dark_and_faded_lights_cost_nothing() {
     for light in [
         "light_source{0 rgb 0}",

@@ -9,7 +9,7 @@ use crate::world::screen::Screen;
 use crate::world::{Intersection, Light};
 
 /// Cells that are remembered at a time.
-const CELLS: usize = 256;
+const CELLS: usize = 512;
 
 /// The width of a cell, over the distance from which it is seen and the size of a pixel there.
 const PIXELS: f64 = 8.0;
@@ -18,7 +18,7 @@ const PIXELS: f64 = 8.0;
 const AREA_PIXELS: f64 = 16.0;
 
 /// So many rays to a lamp of one place ask for a cell before it is worth while to look around.
-const WORTH: u32 = 3;
+const WORTH: u32 = 6;
 
 /// How far points of a cell may be moved out of it, in parts of its width.
 const ROOM: f64 = 1e-6;

@@ -233,7 +233,7 @@ impl Stretches {
             return self.clear(leave).map(|_| None);
         }
         let first = if enter.t <= start { Edge::at(start) } else { self.clear(enter)? };
-        let Some(at) = self.behind(first, true)?.filter(|at| at.t < leave.t) else {
+        let Some(at) = self.behind(first, true, leave.t)?.filter(|at| at.t < leave.t) else {
             return Ok(None);
         };
         if at.place < MOST {
@@ -253,7 +253,7 @@ impl Stretches {
     /// The nearest surface behind `start` of what is in any member; none is turned inside out.
     #[inline(always)]
     fn nearest_of_any(&self, start: f64) -> Result<Option<Edge>, Unclear> {
-        let Some(at) = self.behind(Edge::at(start), false)? else {
+        let Some(at) = self.behind(Edge::at(start), false, f64::INFINITY)? else {
             return Ok(None);
         };
         if at.place < MOST {
@@ -269,15 +269,16 @@ impl Stretches {
         if first.t == f64::INFINITY { Ok(None) } else { self.clear(first).map(Some) }
     }
 
-    /// The first point from `at` on that is in none of the members, or of those turned inside out.
+    /// The first point from `at` on that is in none of the members, or of those turned inside out; `None` if
+    /// it is surely behind `end`.
     #[inline(always)]
-    fn behind(&self, mut at: Edge, inverted: bool) -> Result<Option<Edge>, Unclear> {
+    fn behind(&self, mut at: Edge, inverted: bool, end: f64) -> Result<Option<Edge>, Unclear> {
         let count = self.count.min(MOST);
         let mut place = 0;
         while place < count {
             let (enter, leave) = (self.enter[place], self.leave[place]);
             if self.inverted[place] == inverted && enter <= at.t && at.t < leave {
-                if leave == f64::INFINITY {
+                if leave == f64::INFINITY || self.is_before(end, leave) {
                     return Ok(None);
                 }
                 at = self.clear(Edge { t: leave, place, leaves: true })?;
