@@ -233,18 +233,19 @@ fn fractal(julia: &scene::JuliaFractal) -> Option<JuliaFractal> {
 fn triangles(mesh: &Arc<scene::Mesh>) -> Compiled {
     let lists =
         mesh::Lists { vertices: mesh.vertices.clone(), normals: mesh.normals.clone(), uvs: mesh.uvs.clone() };
-    let faces = mesh.faces.iter().map(|face| mesh::Face {
-        vertices: face.vertices,
-        normals: face.normals,
-        uvs: face.uvs,
-        textures: match face.textures {
+    Mesh::new(lists, &mesh.faces, mesh.inside_vector)
+        .map_or_else(Compiled::nothing, |mesh| Primitive::Mesh(Arc::new(mesh)).into())
+}
+
+impl From<scene::Face> for mesh::Face {
+    fn from(face: scene::Face) -> Self {
+        let textures = match face.textures {
             scene::FaceTextures::Inherited => None,
             scene::FaceTextures::One(texture) => Some([texture; 3]),
             scene::FaceTextures::Three(textures) => Some(textures),
-        },
-    });
-    Mesh::new(lists, faces.collect(), mesh.inside_vector)
-        .map_or_else(Compiled::nothing, |mesh| Primitive::Mesh(Arc::new(mesh)).into())
+        };
+        Self { vertices: face.vertices, normals: face.normals, uvs: face.uvs, textures }
+    }
 }
 
 #[cfg(test)]

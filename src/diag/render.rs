@@ -94,7 +94,7 @@ fn report(diagnostic: &Diagnostic, sources: &Sources, handler: GraphicalReportHa
 #[derive(Debug)]
 struct Excerpt {
     name: String,
-    text: Arc<str>,
+    text: Arc<String>,
 }
 
 /// The longest line that is shown whole.

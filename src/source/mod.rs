@@ -37,7 +37,7 @@ pub struct Source {
     /// Where it was found; empty for text that comes from no file.
     pub path: PathBuf,
     /// The whole text, unless it was released and nobody has asked for it since.
-    text: OnceLock<Arc<str>>,
+    text: OnceLock<Arc<String>>,
     /// Its length in bytes.
     length: usize,
     fingerprint: OnceLock<u64>,
@@ -56,7 +56,7 @@ impl Source {
         Source {
             name,
             path,
-            text: OnceLock::from(Arc::from(text)),
+            text: OnceLock::from(Arc::new(text)),
             length,
             fingerprint: OnceLock::new(),
             encoding,
@@ -68,7 +68,7 @@ impl Source {
         Source {
             name: self.name.clone(),
             path: self.path.clone(),
-            text: OnceLock::from(Arc::from(text)),
+            text: OnceLock::from(Arc::new(text.to_owned())),
             length: text.len(),
             encoding: self.encoding,
             fingerprint: OnceLock::new(),
@@ -76,7 +76,7 @@ impl Source {
     }
 
     /// The whole text.
-    pub fn text(&self) -> &Arc<str> {
+    pub fn text(&self) -> &Arc<String> {
         self.text.get_or_init(|| {
             let again = std::fs::read(&self.path).map(|bytes| Source::new("", "", bytes));
             match again {
@@ -84,7 +84,7 @@ impl Source {
                 // The file has changed or is gone: places in it still are places.
                 _ => None,
             }
-            .unwrap_or_else(|| " ".repeat(self.length).into())
+            .unwrap_or_else(|| Arc::new(" ".repeat(self.length)))
         })
     }
 

@@ -28,6 +28,9 @@ const LONGEST_NAME: usize = 255;
 const DEEPEST: i32 = 10_000;
 /// Comments inside each other: pest goes down a level of the stack for each.
 const DEEPEST_COMMENT: usize = 250;
+/// There is room for a node, and for a number, for so many bytes of text at first: lists that grow are copied, and
+/// room that nothing is written to costs nothing.
+const BYTES_A_NODE: usize = 8;
 /// Mistakes in the text of one file that are reported before the rest is ignored.
 const MOST_ERRORS: usize = 20;
 
@@ -90,6 +93,8 @@ impl<'a> Reader<'a> {
     fn read(&mut self) {
         let source = self.source;
         let bytes = source.text().as_bytes();
+        self.tree.nodes.reserve(bytes.len() / BYTES_A_NODE);
+        self.tree.numbers.reserve(bytes.len() / BYTES_A_NODE);
         let mut at = 0;
         while at < bytes.len() && self.depth < DEEPEST {
             at = match bytes[at] {

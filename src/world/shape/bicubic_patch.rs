@@ -168,7 +168,7 @@ fn tessellate(points: &Points, leaves: &[Leaf]) -> Option<Mesh> {
             faces.push(Face { vertices: v, normals: Some(v), uvs: Some(v), textures: None });
         }
     }
-    Mesh::new(lists, faces, None)
+    Mesh::new(lists, &faces, None)
 }
 
 /// The corners on the edges of a leaf, in order around it from its first.

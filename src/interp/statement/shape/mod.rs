@@ -156,9 +156,10 @@ fn check_finite(vm: &Vm<'_>, numbers: &[f64], what: &str, place: Span) -> Result
     }
 }
 
-/// How much to reserve for a list that claims to have `count` entries: it may have fewer.
+/// How much to reserve for a list that claims to have `count` entries: it may have fewer, and room that nothing is
+/// written to costs nothing.
 fn reserve(count: usize) -> usize {
-    count.min(1 << 16)
+    count.min(1 << 20)
 }
 
 /// Reads `N` texture coordinates.

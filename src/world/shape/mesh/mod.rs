@@ -63,13 +63,14 @@ enum Column {
 const NONE: [u32; 3] = [u32::MAX; 3];
 
 impl Column {
-    fn new(faces: &[Face], order: &[u32], of: impl Fn(&Face) -> Option<[u32; 3]>) -> Self {
-        if faces.iter().all(|face| of(face).is_none()) {
+    fn new<F: Copy + Into<Face>>(faces: &[F], order: &[u32], of: impl Fn(Face) -> Option<[u32; 3]>) -> Self {
+        let mut all = faces.iter().map(|&face| face.into());
+        if all.clone().all(|face| of(face).is_none()) {
             Self::Nothing
-        } else if faces.iter().all(|face| of(face) == Some(face.vertices)) {
+        } else if all.all(|face| of(face) == Some(face.vertices)) {
             Self::AsCorners
         } else {
-            Self::Own(order.iter().map(|i| of(&faces[*i as usize]).unwrap_or(NONE)).collect())
+            Self::Own(order.iter().map(|&i| of(faces[i as usize].into()).unwrap_or(NONE)).collect())
         }
     }
 }
@@ -87,29 +88,30 @@ impl Mesh {
     /// Faces without area are left out; normals are normalised, a zero one becomes +x.
     /// `inside` is the direction that decides what is inside; without it the mesh is a surface.
     /// `None` where a face refers to what isn't in the lists.
-    pub fn new(mut lists: Lists, mut faces: Vec<Face>, inside: Option<DVec3>) -> Option<Self> {
+    pub fn new<F: Copy + Into<Face>>(mut lists: Lists, faces: &[F], inside: Option<DVec3>) -> Option<Self> {
         let within = |indices: [u32; 3], length: usize| indices.iter().all(|&i| (i as usize) < length);
         let valid = |face: &Face| {
             within(face.vertices, lists.vertices.len())
                 && face.normals.is_none_or(|n| within(n, lists.normals.len()))
                 && face.uvs.is_none_or(|uv| within(uv, lists.uvs.len()))
         };
-        if !faces.iter().all(valid) {
+        let face = |&face: &F| -> Face { face.into() };
+        if !faces.iter().map(face).all(|face| valid(&face)) {
             return None;
         }
         lists.normals.iter_mut().for_each(|normal| *normal = normal.normalize_or(DVec3::X));
-        faces.retain(|face| {
-            let normal = face_normal(corners(&lists, face.vertices));
-            normal != DVec3::ZERO && normal.is_finite()
+        // There may be millions: nothing is listed that can as well be worked out again.
+        let boxes = (0..).zip(faces).filter_map(|(i, one)| {
+            let corners = corners(&lists, face(one).vertices);
+            let normal = face_normal(corners);
+            (normal != DVec3::ZERO && normal.is_finite()).then(|| (Bounds::of(corners), i))
         });
-        let boxes: Vec<_> =
-            (0..).zip(&faces).map(|(i, face)| (Bounds::of(corners(&lists, face.vertices)), i)).collect();
-        let bounds = boxes.iter().fold(Bounds::EMPTY, |all, (b, _)| all.union(*b));
+        let bounds = boxes.clone().fold(Bounds::EMPTY, |all, (b, _)| all.union(b));
         let (bvh, order) = Bvh::with_runs(boxes, RUN);
-        let normals = Column::new(&faces, &order, |face| face.normals);
-        let uvs = Column::new(&faces, &order, |face| face.uvs);
-        let textures = Column::new(&faces, &order, |face| face.textures);
-        let faces = order.into_iter().map(|i| faces[i as usize].vertices).collect();
+        let normals = Column::new(faces, &order, |face| face.normals);
+        let uvs = Column::new(faces, &order, |face| face.uvs);
+        let textures = Column::new(faces, &order, |face| face.textures);
+        let faces = order.into_iter().map(|i| face(&faces[i as usize]).vertices).collect();
         let inside = inside.filter(|direction| *direction != DVec3::ZERO);
         Some(Self { bvh, lists, faces, normals, uvs, textures, bounds, inside })
     }

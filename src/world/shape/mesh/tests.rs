@@ -5,8 +5,8 @@ use crate::world::shape::battery::Dice;
 /// A mesh of flat triangles.
 fn flat(vertices: &[[f64; 3]], faces: &[[u32; 3]], inside: Option<DVec3>) -> Mesh {
     let lists = Lists { vertices: vertices.iter().map(|v| DVec3::from(*v)).collect(), ..Lists::default() };
-    let faces = faces.iter().map(|v| face(*v)).collect();
-    Mesh::new(lists, faces, inside).unwrap()
+    let faces: Vec<_> = faces.iter().map(|v| face(*v)).collect();
+    Mesh::new(lists, &faces, inside).unwrap()
 }
 
 fn face(vertices: [u32; 3]) -> Face {
@@ -49,7 +49,7 @@ fn ball(size: f64, at: DVec3) -> Mesh {
             faces.push(face([a, d, c]));
         }
     }
-    Mesh::new(Lists { vertices, ..Lists::default() }, faces, Some(DVec3::new(0.1, 1.0, 0.2))).unwrap()
+    Mesh::new(Lists { vertices, ..Lists::default() }, &faces, Some(DVec3::new(0.1, 1.0, 0.2))).unwrap()
 }
 
 battery! {
@@ -106,7 +106,7 @@ fn quad(normals: &[[f64; 3]], uvs: &[[f64; 2]], faces: Vec<Face>) -> Mesh {
         normals: normals.iter().map(|n| DVec3::from(*n)).collect(),
         uvs: uvs.iter().map(|uv| DVec2::from(*uv)).collect(),
     };
-    Mesh::new(lists, faces, None).unwrap()
+    Mesh::new(lists, &faces, None).unwrap()
 }
 
 #[test]
@@ -182,7 +182,7 @@ fn the_hierarchy_finds_what_a_list_finds() {
 #[test]
 fn faces_that_refer_to_nothing_make_no_mesh() {
     let lists = Lists { vertices: vec![DVec3::ZERO], ..Lists::default() };
-    assert!(Mesh::new(lists, vec![face([0, 0, 1])], None).is_none());
+    assert!(Mesh::new(lists, &[face([0, 0, 1])], None).is_none());
 }
 
 #[test]
