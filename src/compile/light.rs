@@ -14,7 +14,7 @@ pub fn light(light: &scene::Light, transform: &Transform, projected_through: Opt
     let axis = (light.point_at - light.location).normalize_or_zero();
     Light {
         kind: match light.kind {
-            LightKind::Point => Kind::Point,
+            LightKind::Point | LightKind::Shadowless => Kind::Point,
             LightKind::Spot { radius, falloff, tightness } => {
                 Kind::Spotlight(Spotlight::new(radius, falloff, tightness))
             }
@@ -30,7 +30,7 @@ pub fn light(light: &scene::Light, transform: &Transform, projected_through: Opt
         fade: fade(light),
         area: light.area.as_ref().map(|area| area_light(area, transform)),
         projected_through,
-        shadowless: light.shadowless,
+        shadowless: light.kind == LightKind::Shadowless,
         media_interaction: light.media_interaction,
         media_attenuation: light.media_attenuation,
     }

@@ -35,7 +35,7 @@ impl Flattener<'_> {
         let flags = object.flags;
         let written =
             |set, flag, inherited| if flags.contains(set) { flags.contains(flag) } else { inherited };
-        let inherits_uv = object.texture.is_none() && around.uv_mapping;
+        let says_uv = flags.contains(ObjectFlags::UV_MAPPING);
         let mut own = Inherited {
             hollow: written(ObjectFlags::HOLLOW_SET, ObjectFlags::HOLLOW, around.hollow),
             double_illuminate: written(
@@ -43,14 +43,14 @@ impl Flattener<'_> {
                 ObjectFlags::DOUBLE_ILLUMINATE,
                 around.double_illuminate,
             ),
-            uv_mapping: flags.contains(ObjectFlags::UV_MAPPING) || inherits_uv,
+            uv_mapping: says_uv || around.uv_mapping,
             hidden: around.hidden | (hidden(flags) & around.heeded),
             inverted: around.inverted != flags.contains(ObjectFlags::INVERSE),
             cutaway: around.cutaway || flags.contains(ObjectFlags::CUTAWAY_TEXTURES),
             ..around.clone()
         };
-        // Textures at <u,v,0> stay where they are.
-        let outer = if own.uv_mapping { None } else { own.outer.clone() };
+        // Textures stay where they are on objects that say so themselves (docs/spec/primitives.md 1.1).
+        let outer = if says_uv { None } else { own.outer.clone() };
         if let Some(texture) = &object.texture {
             own.texture = Some(self.texture_again(texture, outer.clone(), object.span));
         }
@@ -114,7 +114,7 @@ impl Flattener<'_> {
         let settled = transform.as_ref().and_then(|transform| settled(&compiled.primitive, transform));
         let first = self.flat.textures.len() as u32;
         for texture in own_list(primitive) {
-            let outer = outer.clone().filter(|_| !own.uv_mapping);
+            let outer = outer.clone().filter(|_| !object.flags.contains(ObjectFlags::UV_MAPPING));
             self.texture(texture, outer, object.span);
         }
         let own_textures = first..self.flat.textures.len() as u32;

@@ -5,6 +5,7 @@ use crate::diag::{Code, Diagnostic, Severity};
 use crate::math::DVec3;
 use crate::options::RenderOptions;
 use crate::scene::camera::Projection;
+use crate::scene::light::LightKind;
 use crate::scene::{Scene, Shape};
 use crate::source::Span;
 use crate::world::object::LeafFlags;
@@ -66,7 +67,7 @@ fn lamp(object: &crate::scene::Object) -> Option<Lamp> {
     let Shape::Light(light) = &object.shape else { return None };
     let location =
         object.transform.as_ref().map_or(light.location, |transform| transform.point(light.location));
-    (!light.shadowless && !light.parallel).then_some(Lamp { span: object.span, location })
+    (light.kind != LightKind::Shadowless && !light.parallel).then_some(Lamp { span: object.span, location })
 }
 
 /// The objects around a point that no light leaves.

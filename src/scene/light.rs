@@ -9,7 +9,7 @@ use crate::math::{DVec3, Rgb};
 /// A `light_source`, in the space its statement's transforms lead to.
 #[derive(Clone, Debug)]
 pub struct Light {
-    /// How the light is cut off.
+    /// Where it shines.
     pub kind: LightKind,
     /// Where it is.
     pub location: DVec3,
@@ -29,8 +29,6 @@ pub struct Light {
     pub looks_like: Option<Nested<Arc<Object>>>,
     /// Light reaches only what is seen through this.
     pub projected_through: Option<Nested<Arc<Object>>>,
-    /// Lights without shadows and highlights.
-    pub shadowless: bool,
     /// Media is lit.
     pub media_interaction: bool,
     /// Media dims the light.
@@ -39,11 +37,13 @@ pub struct Light {
     pub photons: Option<LightPhotons>,
 }
 
-/// How a light is cut off.
+/// Where a light shines. Of several words that say so the last one counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LightKind {
     /// In all directions.
     Point,
+    /// In all directions, without shadows and highlights.
+    Shadowless,
     /// `spotlight`: angles in degrees.
     Spot {
         /// Full light inside this half-angle.

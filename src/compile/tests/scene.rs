@@ -40,7 +40,6 @@ fn light() -> Arc<Object> {
         area: None,
         looks_like: None,
         projected_through: None,
-        shadowless: false,
         media_interaction: true,
         media_attenuation: false,
         photons: None,

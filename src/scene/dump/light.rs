@@ -18,6 +18,7 @@ pub(super) fn dump(light: &Light) -> Block {
     };
     block = match light.kind {
         LightKind::Point => block,
+        LightKind::Shadowless => block.flag("shadowless", true),
         LightKind::Spot { radius, falloff, tightness } => {
             cone(block, "spotlight", radius, falloff, tightness)
         }
@@ -25,13 +26,12 @@ pub(super) fn dump(light: &Light) -> Block {
             cone(block, "cylinder", radius, falloff, tightness)
         }
     };
-    if light.parallel || light.kind != LightKind::Point {
+    if light.parallel || !matches!(light.kind, LightKind::Point | LightKind::Shadowless) {
         block = block.flag("parallel", light.parallel).field("point_at", vec3(light.point_at));
     }
     block = block
         .field("fade_distance", number(light.fade_distance))
         .field("fade_power", number(light.fade_power))
-        .flag("shadowless", light.shadowless)
         .field("media_interaction", switch(light.media_interaction))
         .field("media_attenuation", switch(light.media_attenuation));
     if let Some(area) = &light.area {
