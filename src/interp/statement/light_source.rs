@@ -75,10 +75,12 @@ fn item(vm: &mut Vm<'_>, light: &mut Light, word: Word) -> Result<bool> {
     }
     match word {
         Word::Spotlight => {
-            become_kind(vm, light, LightKind::Spot { radius: 30.0, falloff: 45.0, tightness: 0.0 })?;
+            vm.next()?;
+            light.kind = LightKind::Spot { radius: 30.0, falloff: 45.0, tightness: 0.0 };
         }
         Word::Cylinder => {
-            become_kind(vm, light, LightKind::Cylinder { radius: 0.75, falloff: 1.0, tightness: 0.0 })?;
+            vm.next()?;
+            light.kind = LightKind::Cylinder { radius: 0.75, falloff: 1.0, tightness: 0.0 };
             light.parallel = true;
         }
         Word::Parallel => {
@@ -97,7 +99,10 @@ fn item(vm: &mut Vm<'_>, light: &mut Light, word: Word) -> Result<bool> {
         Word::Radius | Word::Falloff | Word::Tightness => cone(vm, light, word)?,
         Word::FadeDistance => light.fade_distance = vm.after_word(Vm::read_float)?,
         Word::FadePower => light.fade_power = vm.after_word(Vm::read_float)?,
-        Word::Shadowless => become_kind(vm, light, LightKind::Shadowless)?,
+        Word::Shadowless => {
+            vm.next()?;
+            light.kind = LightKind::Shadowless;
+        }
         Word::MediaInteraction => light.media_interaction = vm.after_word(Vm::read_flag)?,
         Word::MediaAttenuation => light.media_attenuation = vm.after_word(Vm::read_flag)?,
         Word::Photons => light.photons = Some(photons::of_light(vm)?),
@@ -117,23 +122,6 @@ fn item(vm: &mut Vm<'_>, light: &mut Light, word: Word) -> Result<bool> {
         _ => return Ok(false),
     }
     Ok(true)
-}
-
-/// Reads the word for a kind of light, which takes the place of the kind it had.
-fn become_kind(vm: &mut Vm<'_>, light: &mut Light, kind: LightKind) -> Result<()> {
-    let token = vm.next()?;
-    let lost = match light.kind {
-        LightKind::Spot { .. } if kind == LightKind::Shadowless => Some("spotlight"),
-        LightKind::Cylinder { .. } if kind == LightKind::Shadowless => Some("cylinder"),
-        LightKind::Shadowless if kind != LightKind::Shadowless => Some("shadowless"),
-        _ => None,
-    };
-    if let Some(lost) = lost {
-        let message = format!("this takes the place of `{lost}`: no light is both");
-        vm.warn(token.span, message, "remove one of the two words");
-    }
-    light.kind = kind;
-    Ok(())
 }
 
 /// Reads `radius`, `falloff` or `tightness`.

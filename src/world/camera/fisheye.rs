@@ -1,5 +1,7 @@
 //! `fisheye`: the angle to the axis grows evenly with the distance from the middle.
 
+use std::f64::consts::TAU;
+
 use super::{Film, Frame, Projected};
 use crate::math::{DVec2, DVec3};
 
@@ -38,7 +40,11 @@ impl Fisheye {
 
 /// The ray `theta` radians off the axis, towards `place` on the disc.
 pub(super) fn polar(frame: &Frame, place: DVec2, theta: f64) -> Projected {
-    let phi = if place == DVec2::ZERO { 0.0 } else { place.y.atan2(place.x) };
+    let mut phi = if place == DVec2::ZERO { 0.0 } else { place.y.atan2(place.x) };
+    // From straight down all around, which only the bumps of the camera can tell.
+    if place.x < 0.0 && place.y < 0.0 {
+        phi += TAU;
+    }
     let (sin, cos) = theta.sin_cos();
     let ray = frame.ray(sin * phi.cos(), sin * phi.sin(), cos);
     Projected { ray, parameters: DVec2::new(phi, theta) }

@@ -145,6 +145,8 @@ impl Light {
     fn attenuation(&self, way: DVec3, direction: DVec3, distance: f64, axis: DVec3) -> f32 {
         let angular = match &self.kind {
             Kind::Point => 1.0,
+            // A parallel one has no cone, but a front (docs/spec/shading.md 16).
+            Kind::Spotlight(_) if distance < 0.0 => 0.0,
             Kind::Spotlight(spot) => spot.attenuation(-direction.dot(axis)),
             Kind::Cylinder(cylinder) => cylinder.attenuation(-way, axis),
         };

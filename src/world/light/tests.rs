@@ -57,9 +57,10 @@ fn a_falloff_smaller_than_the_radius_makes_a_hard_edge() {
 }
 
 #[test]
-fn a_parallel_spotlight_has_no_cone() {
+fn a_parallel_spotlight_has_no_cone_but_a_back() {
     let beam = Light { parallel: true, ..light(Kind::Spotlight(Spotlight::new(10.0, 11.0, 0.0))) };
     assert_rows(&beam, &[(4.9, 1.0)]);
+    assert_eq!(beam.reaching(beam.location - beam.axis + DVec3::X).attenuation, 0.0);
 }
 
 #[test]
