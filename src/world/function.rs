@@ -7,10 +7,12 @@ pub mod tape;
 
 use std::sync::Arc;
 
+use smallvec::SmallVec;
+
 use super::sample::{Colors, Field, Sample};
 use crate::math::color::{GREY, grey_of};
 use crate::math::wide::widest;
-use crate::math::{Band, DVec3, Spline, Transform, tally};
+use crate::math::{Band, DVec3, Slant, Spline, Transform, tally};
 pub use budget::Budget;
 pub use internal::Internal;
 pub(crate) use number::Number;
@@ -163,6 +165,32 @@ impl Function {
         }
     }
 
+    /// What holds the values of one component and how fast they rise, spending what is left of a budget. Of
+    /// patterns, pigments, splines and noise it isn't known how fast.
+    pub fn slant_within(&self, arguments: &[Slant], component: u8, budget: &Budget) -> Slant {
+        let at = |i: usize| arguments.get(i).copied().unwrap_or(Slant::constant(0.0));
+        match &self.body {
+            Body::Tape(tape) if component != GREY => {
+                tally::functions(1);
+                tape.slant(arguments, budget)
+            }
+            Body::Internal(internal) if component != GREY => {
+                tally::functions(1);
+                internal.slant(arguments)
+            }
+            Body::Transform(transform) if component < 3 => {
+                let component = usize::from(component);
+                let origin = transform.point(DVec3::ZERO)[component];
+                let share = |axis: DVec3| transform.point(axis)[component] - origin;
+                at(0) * share(DVec3::X) + at(1) * share(DVec3::Y) + at(2) * share(DVec3::Z) + origin
+            }
+            _ => {
+                let values: SmallVec<[Band; 8]> = arguments.iter().map(|argument| argument.value).collect();
+                Slant::unknown_rise(self.enclose_within(&values, component, budget))
+            }
+        }
+    }
+
     /// Whether [`Self::enclose`] knows the function, so that bands of short stretches are narrow wherever
     /// it is continuous.
     pub fn is_known(&self) -> bool {
@@ -190,6 +218,13 @@ impl Field for Function {
         widest(
             #[inline(always)]
             || self.enclose(point),
+        )
+    }
+
+    fn slant(&self, point: &[Slant; 3]) -> Slant {
+        widest(
+            #[inline(always)]
+            || self.slant_within(point, 0, &Budget::default()),
         )
     }
 

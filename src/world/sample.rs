@@ -1,7 +1,7 @@
 //! What is known at a point where patterns, pigments and normals are asked for, and how they,
 //! functions and shapes see each other.
 
-use crate::math::{Band, DVec2, DVec3, Rgbft};
+use crate::math::{Band, DVec2, DVec3, Rgbft, Slant};
 use crate::world::warp::Warps;
 
 /// A place where a texture is evaluated.
@@ -108,6 +108,11 @@ pub trait Field: Send + Sync + std::fmt::Debug {
     /// The same where texture coordinates are those of other points, from which these were moved.
     fn enclose_mapped(&self, point: &[Band; 3], _uv: &[Band; 2]) -> Band {
         self.enclose(point)
+    }
+
+    /// The same with how fast the numbers rise, where that is known.
+    fn slant(&self, point: &[Slant; 3]) -> Slant {
+        Slant::unknown_rise(self.enclose(&point.map(|p| p.value)))
     }
 
     /// Whether [`Field::enclose`] knows the field: the bands of short stretches are narrow, wherever it is

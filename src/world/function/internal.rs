@@ -6,7 +6,7 @@ mod surfaces;
 mod turned;
 
 use super::number::{Number, Unary};
-use crate::math::Band;
+use crate::math::{Band, Slant};
 
 /// A formula of a point and up to ten parameters.
 type Formula<N> = fn(N, N, N, &[N; PARAMETERS]) -> N;
@@ -21,6 +21,7 @@ pub struct Internal {
     pub parameters: usize,
     formula: Formula<f64>,
     bands: Formula<Band>,
+    slants: Formula<Slant>,
 }
 
 impl Internal {
@@ -29,7 +30,8 @@ impl Internal {
     pub fn new(number: u8, generator: u8) -> Option<Self> {
         let (parameters, formula) = find(number, generator)?;
         let (_, bands) = find(number, generator)?;
-        Some(Self { parameters: parameters + 3, formula, bands })
+        let (_, slants) = find(number, generator)?;
+        Some(Self { parameters: parameters + 3, formula, bands, slants })
     }
 
     /// The value; missing arguments count as 0.
@@ -40,6 +42,11 @@ impl Internal {
     /// What holds the values for all arguments that are held by these.
     pub fn enclose(&self, arguments: &[Band]) -> Band {
         self.apply(self.bands, arguments)
+    }
+
+    /// The same with how fast they rise.
+    pub fn slant(&self, arguments: &[Slant]) -> Slant {
+        self.apply(self.slants, arguments)
     }
 
     #[inline]

@@ -1,4 +1,7 @@
-//! What formulas are written for: numbers, and bands of numbers over a stretch of a line.
+//! What formulas are written for: numbers, bands of numbers over a stretch of a line, and bands with how fast they
+//! rise.
+
+mod slant;
 
 use std::f64::consts::{LN_10, PI};
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -6,8 +6,8 @@ use smallvec::SmallVec;
 
 use super::number::{Number, Unary};
 use super::{Budget, Function, Internal};
-use crate::math::Band;
 use crate::math::color::{GREY, grey_of};
+use crate::math::{Band, Slant};
 
 /// A register's number. Parameters come first, intermediate values next, constants last.
 pub type Register = u16;
@@ -136,6 +136,11 @@ impl Tape {
     /// What holds the values for all arguments that are held by these.
     #[inline(always)]
     pub fn enclose(&self, arguments: &[Band], budget: &Budget) -> Band {
+        self.evaluate(arguments, budget)
+    }
+
+    /// The same with how fast they rise.
+    pub fn slant(&self, arguments: &[Slant], budget: &Budget) -> Slant {
         self.evaluate(arguments, budget)
     }
 
@@ -321,6 +326,26 @@ impl Operand for Band {
     fn recursion(tape: &Tape, arguments: &[Self], budget: &Budget) -> Self {
         let settled: SmallVec<[Self; 8]> = arguments.iter().map(|argument| argument.settled()).collect();
         budget.a_little_deeper(|| tape.enclose(&settled, budget)).unwrap_or(Self::UNKNOWN)
+    }
+
+    fn aside<const SIZE: usize>(tape: &Tape, way: Way, r: &mut [Self; SIZE], budget: &Budget) -> bool {
+        tape.steps(way, r, budget)
+    }
+}
+
+impl Operand for Slant {
+    fn call(function: &Function, arguments: &[Self], component: u8, budget: &Budget) -> Self {
+        function.slant_within(arguments, component, budget)
+    }
+
+    fn internal(internal: &Internal, arguments: &[Self]) -> Self {
+        internal.slant(arguments)
+    }
+
+    fn recursion(tape: &Tape, arguments: &[Self], budget: &Budget) -> Self {
+        let settled = |argument: &Self| Self { value: argument.value.settled(), ..*argument };
+        let settled: SmallVec<[Self; 8]> = arguments.iter().map(settled).collect();
+        budget.a_little_deeper(|| tape.slant(&settled, budget)).unwrap_or(Self::UNKNOWN)
     }
 
     fn aside<const SIZE: usize>(tape: &Tape, way: Way, r: &mut [Self; SIZE], budget: &Budget) -> bool {

@@ -26,7 +26,7 @@ const NEAR: f64 = 0.05;
 const HALVINGS: u32 = 80;
 
 /// After so many halvings a part is turned, and again and again.
-const TURNED_EVERY: u32 = 4;
+const TURNED_AFTER: u32 = 3;
 
 /// Parts that are looked at in all: poles have many.
 const PARTS: usize = 2000;
@@ -34,18 +34,6 @@ const PARTS: usize = 2000;
 /// By how much the slopes of a part may change, as a share of themselves, that is taken to have no fold. Below 1 no
 /// two points of the part are seen at the same place; the rest is for terms of the fourth order.
 const EVEN: f64 = 0.75;
-
-/// What is known of a part along four lines through its middle, to the middles of the sides (u, v) and to the corners
-/// (their mean: m), times this holds for all of it, but for terms of the fourth order in the part's size.
-///
-/// With s and t as shares of the sides, terms of the second order are a s² + b s t + c t², and those of the third
-/// A (s³ - s t²) + D (t³ - s² t) + R (s² t + s t²)/2 + F (s t² - s² t)/2, of which A and D are the values at the
-/// middles of sides and R and F those at corners. At the two ends of a line even and odd terms add up and cancel each
-/// other, so the larger end is as far from the plane as both together. Hence |a| + |A| ≤ u, |c| + |D| ≤ v and
-/// |b| + (|R| + |F|)/2 ≤ m, and no term in brackets is above 1, or 2 for those over 2: all terms are at most
-/// u + v + 2 m. Their derivatives by s are at most 2 u + m and 3 u + 2 v + 3 m, those by t the same with u and v
-/// exchanged.
-const SAFETY: f64 = 2.0;
 
 /// A part is narrowed where this share of it is left, or less.
 const NARROW: f64 = 0.6;
@@ -58,8 +46,6 @@ pub(super) struct Piece<'a> {
     shift: f64,
     /// Two unit vectors across the ray.
     across: [DVec3; 2],
-    /// What the rounding of the ray's own numbers may move it by.
-    rounding: f64,
 }
 
 /// A parallelogram of parameters: the middle, and from there to the middles of two sides.
@@ -67,7 +53,10 @@ pub(super) struct Piece<'a> {
 pub(super) struct Part {
     pub(super) middle: DVec2,
     pub(super) sides: [DVec2; 2],
+    /// How often it was halved, narrowed or turned.
     pub(super) depth: u32,
+    /// How often it was halved since it was turned.
+    pub(super) halved: u32,
 }
 
 impl Part {
@@ -80,34 +69,41 @@ impl Part {
     fn between(&self, low: DVec2, high: DVec2) -> Self {
         let half = 0.5 * (high - low);
         let sides = [self.sides[0] * half.x, self.sides[1] * half.y];
-        Self { middle: self.at(0.5 * (low + high)), sides, depth: self.depth + 1 }
+        Self { middle: self.at(0.5 * (low + high)), sides, depth: self.depth + 1, ..*self }
     }
 
     fn halves(&self, across: usize) -> [Self; 2] {
         let (mut low, mut high) = (DVec2::ONE, DVec2::NEG_ONE);
         (low[across], high[across]) = (0.0, 0.0);
-        [self.between(DVec2::NEG_ONE, low), self.between(high, DVec2::ONE)]
+        let both = [self.between(DVec2::NEG_ONE, low), self.between(high, DVec2::ONE)];
+        both.map(|half| Self { halved: self.halved + 1, ..half })
     }
 
-    /// One around it with a side that runs this way, given by shares of the sides; it itself where that is none.
+    /// One around it with a side that runs this way, given by shares of the sides: sheared, so that it stays as narrow
+    /// as it is and grows twofold at most.
     fn turned(&self, way: DVec2) -> Self {
-        let Some(way) = way.try_normalize() else { return *self };
-        let longer = way.abs().element_sum();
-        let [u, v] = [way, way.perp()].map(|side| self.at(side * longer) - self.middle);
-        Self { sides: [u, v], ..*self }
+        let along = usize::from(way.x.abs() < way.y.abs());
+        let share = way[1 - along] / way[along];
+        let share = if share.is_finite() { share } else { 0.0 };
+        let mut sides = self.sides;
+        sides[along] += share * sides[1 - along];
+        sides[1 - along] *= 1.0 + share.abs();
+        Self { sides, depth: self.depth + 1, halved: 0, ..*self }
     }
 }
 
 /// What a part has of a ray.
 enum Found {
-    /// One crossing at most: where the plane has it, by shares of the sides.
-    One(DVec2),
+    /// One crossing at most, between these shares of the sides.
+    One(DVec2, DVec2),
     /// No crossing.
     None,
     /// Crossings only between these shares of the sides.
     Between(DVec2, DVec2),
     /// It has to be halved across this side.
     Open(usize),
+    /// Rounding decides whether there is a crossing.
+    Blurred,
 }
 
 /// The rectangle of parameters that crossings are looked for in, and those found.
@@ -123,9 +119,8 @@ impl<'a> Piece<'a> {
         let middle = surface.bounds.center();
         let shift = (middle - ray.origin).dot(ray.direction) / ray.direction.length_squared();
         let (u, v) = ray.direction.normalize().any_orthonormal_pair();
-        let rounding = 2.0 * f64::EPSILON * ray.origin.abs().max_element();
         let near = Ray::new(ray.at(shift), ray.direction);
-        Self { surface, ray: near, shift, across: [u, v], rounding }
+        Self { surface, ray: near, shift, across: [u, v] }
     }
 
     /// Calls back with the crossings in a rectangle of parameters.
@@ -133,10 +128,10 @@ impl<'a> Piece<'a> {
         let half = 0.5 * (to - from);
         let sides = [half * DVec2::X, half * DVec2::Y];
         let mut waiting: SmallVec<[Part; 16]> = SmallVec::new();
-        waiting.push(Part { middle: 0.5 * (from + to), sides, depth: 0 });
+        waiting.push(Part { middle: 0.5 * (from + to), sides, depth: 0, halved: 0 });
         let mut catch = Catch { from, to, found: SmallVec::new() };
         let mut parts = 0;
-        while let Some(part) = waiting.pop() {
+        while let Some(mut part) = waiting.pop() {
             if catch.is_beside(&part) {
                 continue;
             }
@@ -153,21 +148,23 @@ impl<'a> Piece<'a> {
                     waiting.push(part.between(low, high));
                     continue;
                 }
-                Found::One(start) => match self.refine(&part, start, &mut catch) {
+                Found::One(low, high) => match self.refine(&part, 0.5 * (low + high), &mut catch) {
                     Some(hit) => {
                         hit.into_iter().for_each(&mut *found);
                         continue;
                     }
-                    None => usize::from(part.sides[0].length_squared() < part.sides[1].length_squared()),
+                    None => {
+                        part = part.between(low, high);
+                        usize::from(part.sides[0].length_squared() < part.sides[1].length_squared())
+                    }
                 },
                 Found::Open(across) => across,
-                Found::Between(..) => 0,
+                Found::Between(..) | Found::Blurred => 0,
             };
-            if part.depth >= HALVINGS || parts >= PARTS {
-                self.flat(&part, &catch).into_iter().for_each(&mut *found);
-            } else if part.depth % TURNED_EVERY == TURNED_EVERY - 1 {
-                let way = local.way(self.ray.direction);
-                waiting.push(Part { depth: part.depth + 1, ..part.turned(way) });
+            if matches!(look, Found::Blurred) || part.depth >= HALVINGS || parts >= PARTS {
+                self.flat(&part, &mut catch).into_iter().for_each(&mut *found);
+            } else if part.halved >= TURNED_AFTER {
+                waiting.push(part.turned(local.way(self.ray.direction)));
             } else {
                 waiting.extend(part.halves(across));
             }
@@ -184,10 +181,9 @@ impl<'a> Piece<'a> {
     }
 
     fn look(&self, local: &Local) -> Found {
-        let [u, v, mixed] = local.bends.map(|bend| self.room(bend));
         let off = self.project(local.point - self.ray.origin);
         let slopes = local.slopes.map(|slope| self.project(slope));
-        let room = SAFETY * (u + v + mixed) + self.rounding;
+        let room = self.room(local.room);
         let inverse = DMat2::from_cols(slopes[0], slopes[1]).inverse();
         let size = DMat2::from_cols(inverse.x_axis.abs(), inverse.y_axis.abs());
         let start = -(inverse * off);
@@ -212,20 +208,25 @@ impl<'a> Piece<'a> {
             return Found::None;
         }
         let norm = |m: DMat2| (m.x_axis + m.y_axis).max_element();
-        let both = 2.0 * (u + v) + 3.0 * mixed;
-        if norm(size * DMat2::from_cols(u + both, v + both)) < EVEN {
-            return Found::One(start);
+        let columns = |turns: [DVec3; 2]| {
+            let [u, v] = turns.map(|turn| self.room(turn));
+            DMat2::from_cols(u, v)
+        };
+        if norm(size * columns(local.turns)) < EVEN {
+            return Found::One(low, high);
         }
         if (high - low).min_element() < 2.0 * NARROW {
             return Found::Between(low, high);
         }
-        // How the slopes change along either side.
-        let along = [DMat2::from_cols(2.0 * u, mixed), DMat2::from_cols(mixed, 2.0 * v)];
-        let [by_u, by_v] = along.map(|by| norm(size * by));
+        if room.cmple(2.0 * self.room(local.rounding)).all() {
+            return Found::Blurred;
+        }
+        let [by_u, by_v] = local.along.map(|turns| norm(size * columns(turns)));
         Found::Open(usize::from(by_u.is_nan() || by_v.is_nan() || by_u < by_v))
     }
 
-    /// The crossing in a part that has one at most; `None` where Newton's method leads nowhere.
+    /// The crossing in a part that has one at most; `None` where Newton's method leads nowhere or out of the part,
+    /// which doesn't prove that there is none.
     fn refine(&self, part: &Part, start: DVec2, catch: &mut Catch) -> Option<Option<Crossing>> {
         let shares = DMat2::from_cols(part.sides[0], part.sides[1]).inverse();
         let mut at = part.at(start.clamp(DVec2::NEG_ONE, DVec2::ONE));
@@ -249,16 +250,18 @@ impl<'a> Piece<'a> {
                 break;
             }
             if (shares * (at - part.middle)).abs().max_element() > 4.0 {
-                return Some(None);
+                return None;
             }
         }
         if last >= NEAR {
             return None;
         }
         let beside = BESIDE + 2.0 * last;
-        let within = (shares * (at - part.middle)).abs().max_element() <= 1.0 + beside;
+        if (shares * (at - part.middle)).abs().max_element() > 1.0 + beside {
+            return None;
+        }
         let off = beside * (part.sides[0].abs() + part.sides[1].abs());
-        Some((within && catch.take(at, off, self.surface)).then(|| {
+        Some(catch.take(at, off, self.surface).then(|| {
             let at = at.clamp(self.surface.description.from, self.surface.description.to);
             let way = self.surface.point(at) - self.ray.origin;
             let t = self.shift + way.dot(self.ray.direction) / self.ray.direction.length_squared();
@@ -267,7 +270,7 @@ impl<'a> Piece<'a> {
     }
 
     /// The crossing with a part that is as small as it gets, or beside a kink or a pole.
-    fn flat(&self, part: &Part, catch: &Catch) -> Option<Crossing> {
+    fn flat(&self, part: &Part, catch: &mut Catch) -> Option<Crossing> {
         let corner = |u: f64, v: f64| {
             let at = part.at(DVec2::new(u, v)).clamp(catch.from, catch.to);
             (at, self.surface.point(at))
@@ -275,11 +278,12 @@ impl<'a> Piece<'a> {
         let [near, up, right, far] =
             [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)];
         let sheared = Sheared::new(&self.ray);
-        [[near, right, up], [far, up, right]].into_iter().find_map(|corners| {
+        let (at, t) = [[near, right, up], [far, up, right]].into_iter().find_map(|corners| {
             let hit = sheared.meet(corners.map(|corner| corner.1))?;
-            let at = blend(corners.map(|corner| corner.0), hit.at);
-            Some(Crossing { t: self.shift + hit.t, part: 0, at: at.to_array() })
-        })
+            Some((blend(corners.map(|corner| corner.0), hit.at), hit.t))
+        })?;
+        let off = part.sides[0].abs() + part.sides[1].abs();
+        catch.take(at, off, self.surface).then(|| Crossing { t: self.shift + t, part: 0, at: at.to_array() })
     }
 }
 

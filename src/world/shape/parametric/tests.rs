@@ -1,6 +1,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::*;
+use crate::math::Slant;
 use crate::world::shape::battery::{Probe, battery};
 use crate::world::shape::sphere::Sphere;
 
@@ -120,6 +121,10 @@ impl Field for Parameter {
         at[self.0]
     }
 
+    fn slant(&self, at: &[Slant; 3]) -> Slant {
+        at[self.0]
+    }
+
     fn is_known(&self) -> bool {
         true
     }
@@ -136,5 +141,57 @@ fn a_gradient_said_too_small_makes_no_holes() {
         let found = steep.nearest(&Ray::new(DVec3::new(x, y, -5.0), DVec3::Z), Range::AHEAD);
         let expected = 5.0 + (40.0 * x * y).sin();
         assert!(found.is_some_and(|crossing| (crossing.t - expected).abs() < 1e-12), "{x} {y}: {found:?}");
+    }
+}
+
+/// u² - v², with its derivatives.
+#[derive(Debug)]
+struct Saddle;
+
+impl Field for Saddle {
+    fn value(&self, sample: &Sample) -> f64 {
+        sample.point.x * sample.point.x - sample.point.y * sample.point.y
+    }
+
+    fn enclose(&self, [u, v, _]: &[Band; 3]) -> Band {
+        u.square() - v.square()
+    }
+
+    fn slant(&self, [u, v, _]: &[Slant; 3]) -> Slant {
+        u.square() - v.square()
+    }
+
+    fn is_known(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn rays_that_graze_a_fold_meet_it_twice() {
+    let functions: [Arc<dyn Field>; 3] = [Arc::new(Parameter(0)), Arc::new(Saddle), Arc::new(Parameter(1))];
+    let surface = Parametric::new(Description { functions, ..saddle().description }).unwrap();
+    for (from, along, expected) in [
+        (
+            [17.560680402291773, 13.335533328174822, -18.596319531110623],
+            [-0.6049455066560087, -0.46006349991957907, 0.6499096168071776],
+            [1.1556292538347297, 1.1556455054410615],
+        ),
+        (
+            [610.9051154516782, -204.53114836473222, -763.3136712048788],
+            [-0.6118503840929888, 0.20503669654844425, 0.7639365553197224],
+            [1.157858920785703, 1.1578733664391063],
+        ),
+        (
+            [20.0267490826016, -12.607674809359878, 20.089060932456732],
+            [-0.6505928885196791, 0.4058187784836549, -0.6419034292147493],
+            [-1.040955351365881, -1.0409030737961802],
+        ),
+    ] {
+        let (from, along) = (DVec3::from(from), DVec3::from(along));
+        let mut found = Vec::new();
+        surface.crossings(&Ray::new(from, along), Range::AHEAD, &mut found);
+        let middle = -from.dot(along) / along.length_squared();
+        let off = found.iter().zip(expected).all(|(hit, t)| (hit.t - middle - t).abs() < 1e-7);
+        assert!(found.len() == 2 && off, "{found:?}");
     }
 }
