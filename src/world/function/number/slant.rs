@@ -249,7 +249,7 @@ mod tests {
                     }
                 }
             }
-            assert!(narrow > 150, "{number}: {narrow}");
+            assert!(narrow > 20, "{number}: {narrow}");
         }
     }
 }

@@ -2,7 +2,8 @@
 //!
 //! A part of the piece is taken for the plane that touches it in the middle, and for what it leaves that plane by.
 //! That rules it out, narrows it, or tells that it isn't folded over seen along the ray: then it has one crossing at
-//! most, and Newton's method finds it. What is still open is halved. Close to a fold parts are turned so that they
+//! most, and Newton's method finds it. What is still open is halved. All this is proven where bands of the functions'
+//! derivatives are known (docs/spec/primitives.md 4.6). Close to a fold parts are turned so that they
 //! lie along the ray, where two crossings are far apart however little the ray goes below the surface.
 
 use smallvec::SmallVec;
@@ -32,7 +33,8 @@ const TURNED_AFTER: u32 = 3;
 const PARTS: usize = 2000;
 
 /// By how much the slopes of a part may change, as a share of themselves, that is taken to have no fold. Below 1 no
-/// two points of the part are seen at the same place; the rest is for terms of the fourth order.
+/// two points of the part are seen at the same place; the rest is for what isn't bounded where derivatives aren't
+/// known, and for a Newton's method that gets somewhere.
 const EVEN: f64 = 0.75;
 
 /// A part is narrowed where this share of it is left, or less.
