@@ -5,13 +5,13 @@ use std::sync::LazyLock;
 use super::Eye;
 use super::jitter::jitter;
 use super::sampling::Sample;
-use super::trace::Tracer;
+use super::trace::{Path, Tracer};
 use crate::math::noise::hashes;
 use crate::math::wide::widest;
-use crate::math::{DVec2, Lanes};
+use crate::math::{DVec2, DVec3, Lanes};
 use crate::world::accel::Pencil;
 use crate::world::camera::{FocalBlur, Perspective, Projection, film};
-use crate::world::{RayKind, Rays};
+use crate::world::{Ray, RayKind, Rays};
 
 /// Sub-pixel places along an axis.
 const PLACES: usize = 16;
@@ -92,6 +92,10 @@ impl Eye<'_> {
         let sky = alike.then(|| self.lens_sample(tracer, blur, x, y, 0));
         let mut sums = Sums::default();
         let mut hits = [None; Lanes::COUNT];
+        let nowhere = Ray::new(DVec3::ZERO, DVec3::ZERO);
+        let inside = self.inside.clone().unwrap_or_default();
+        let kind = RayKind::IMAGE;
+        let mut path = Path { ray: nowhere, level: 0, weight: 1.0, kind, wavelength: None, inside };
         for batch in 0.. {
             let end = blur.max_samples().min(sums.count + blur.batch(batch));
             while sums.count < end {
@@ -110,9 +114,9 @@ impl Eye<'_> {
                     *place = shifted(index);
                 }
                 let rays = self.four_rays(blur, perspective, &places, first);
-                self.world.geometry.hits(&within, &rays, count, RayKind::IMAGE, &mut hits);
+                self.world.geometry.hits(&within, &rays, count, kind, &mut hits);
                 for lane in 0..count {
-                    sums.add(self.met(tracer, rays.ray(lane), places[lane], &hits[lane]));
+                    sums.add(self.met(tracer, &mut path, rays.ray(lane), places[lane], &hits[lane]));
                 }
             }
             if end == blur.max_samples() || blur.is_enough(sums.count, || sums.variances()) {

@@ -22,7 +22,8 @@ pub(super) fn reflectivity(reflection: &Reflection, cosine: f64, index: f64, col
     let share = if reflection.fresnel {
         fresnel(index, cosine) as f32
     } else {
-        (1.0 - cosine).max(0.0).powf(f64::from(reflection.falloff)) as f32
+        let share = (1.0 - cosine).max(0.0);
+        (if reflection.falloff == 1.0 { share } else { share.powf(f64::from(reflection.falloff)) }) as f32
     };
     let plain = max * share + min * (1.0 - share);
     let weight =

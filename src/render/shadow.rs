@@ -4,16 +4,19 @@ mod grid;
 mod shafts;
 
 pub(super) use grid::Places;
+use shafts::Between;
 pub(super) use shafts::Shafts;
 
 use super::refract::Inside;
 use super::textures;
 use super::trace::Tracer;
+use crate::math::wide::widest;
 use crate::math::{DVec3, Rgb};
 use crate::world::hit::{Among, Hit};
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::LeafFlags;
-use crate::world::screen::{OPEN, SHUT, UNKNOWN};
+use crate::world::screen::{OPEN, SHUT, UNKNOWN, Verdict};
+use crate::world::umbra::{Shade, Umbra};
 use crate::world::{Intersection, Light, Range, Ray};
 
 /// The last part of the way to a light, where the surface that it lies on is not in its way.
@@ -38,6 +41,45 @@ pub(super) fn way(from: DVec3, error: f64, incident: &Incident) -> (Ray, Range) 
     (Ray::new(from, incident.direction), range)
 }
 
+/// Whether objects are in the way of light from a lamp to a surface of one of them; those that only their surfaces
+/// can decide on are `near`.
+#[inline]
+fn sift(
+    umbras: &[Umbra],
+    surface: &Intersection,
+    object: u32,
+    lamp: DVec3,
+    to_lamp: &DVec3,
+    near: &mut Vec<u32>,
+) -> Verdict {
+    near.clear();
+    if umbras.is_empty() {
+        return OPEN;
+    }
+    let outside = !surface.inside && to_lamp.dot(surface.geometric) > 0.0;
+    let way = surface.leave(*to_lamp) - lamp;
+    let mut found = OPEN;
+    widest(
+        #[inline(always)]
+        || {
+            for umbra in umbras {
+                if umbra.object == object && outside && umbra.left_for_good {
+                    continue;
+                }
+                let verdict = umbra.verdict(way);
+                if verdict == SHUT {
+                    return SHUT;
+                }
+                if verdict == UNKNOWN {
+                    near.push(umbra.object);
+                    found = UNKNOWN;
+                }
+            }
+            found
+        },
+    )
+}
+
 impl Tracer<'_> {
     /// The light that arrives from `light`, given what would arrive if nothing were in the way.
     pub(super) fn unblocked(&mut self, at: &Target, number: u32, incident: &Incident) -> Rgb {
@@ -52,8 +94,17 @@ impl Tracer<'_> {
         let geometry = &self.world.geometry;
         let shaft = self.shafts.find(geometry, (number, light), at.surface, hit.t, self.pixel);
         if let Some(shaft) = shaft {
-            if light.area.is_none() && light.projected_through.is_none() {
-                return self.past(at, hit.object, shaft, light, incident);
+            match self.shafts.among(shaft) {
+                Some(Between::Shade(Shade::Dark)) => {
+                    self.statistics.shadow_rays += 1;
+                    return Rgb::ZERO;
+                }
+                Some(Between::Shade(Shade::Among(umbras))) => {
+                    let (surface, way) = (at.surface, &incident.direction);
+                    let found = sift(umbras, surface, hit.object, light.location, way, &mut self.near);
+                    return self.past(at, found, light, incident);
+                }
+                _ => {}
             }
             let screens = self.shafts.lend(shaft);
             let among = Some(Among::Screens(&screens));
@@ -66,26 +117,9 @@ impl Tracer<'_> {
         self.known_unblocked(&Target { among, ..*at }, light, incident)
     }
 
-    /// The same where only what is in a shaft may be in the way, for a lamp of one place and a hit of an object.
+    /// The same where objects in front of a lamp of one place were sifted, and the near ones kept.
     #[inline]
-    fn past(&mut self, at: &Target, object: u32, shaft: usize, light: &Light, incident: &Incident) -> Rgb {
-        let surface = at.surface;
-        let geometry = &self.world.geometry;
-        let outside = !surface.inside && incident.direction.dot(surface.geometric) > 0.0;
-        let way = (surface.leave(incident.direction) - light.location).to_array();
-        self.near.clear();
-        let mut found = OPEN;
-        // A loop: closures given to iterators are not compiled together with what is around them.
-        for screen in self.shafts.among(shaft) {
-            if screen.object == object && outside && geometry.is_left_for_good(object) {
-                continue;
-            }
-            let verdict = screen.as_seen().verdict(way);
-            if verdict == UNKNOWN {
-                self.near.push(screen.object);
-            }
-            found = if verdict > found { verdict } else { found };
-        }
+    fn past(&mut self, at: &Target, found: Verdict, light: &Light, incident: &Incident) -> Rgb {
         match found {
             SHUT => {
                 self.statistics.shadow_rays += 1;

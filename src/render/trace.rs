@@ -8,9 +8,9 @@ use super::refract::Inside;
 use super::shade::Mirror;
 use super::shadow::{Places, Shafts};
 use super::stats::Statistics;
-use crate::math::Rgb;
+use crate::math::{DVec3, Rgb};
 use crate::world::accel::Within;
-use crate::world::atmosphere::Alpha;
+use crate::world::atmosphere::{Alpha, Sky};
 use crate::world::hit::Hit;
 use crate::world::screen::Screen;
 use crate::world::{Light, Range, Ray, RayKind, World};
@@ -44,6 +44,10 @@ pub(super) struct Seen {
 impl Seen {
     /// What a ray sees that isn't traced.
     pub(super) const NOTHING: Self = Self { color: Rgb::ZERO, transmit: 0.0 };
+
+    fn of(sky: Sky) -> Self {
+        Self { color: sky.color, transmit: sky.transmit }
+    }
 }
 
 /// Follows rays; one for each thread.
@@ -81,6 +85,8 @@ pub(super) struct Tracer<'w> {
     pub(super) pixel: f64,
     /// Whether anything may be shaded as what is [`plain`](Self::plain).
     pub(super) plain: bool,
+    /// What other rays see of a sky of one colour, and rays from the camera.
+    even_sky: Option<[Seen; 2]>,
 }
 
 impl<'w> Tracer<'w> {
@@ -90,8 +96,11 @@ impl<'w> Tracer<'w> {
         let by_place = |light: &Light| light.area.as_ref().is_some_and(|area| area.area_illumination);
         let bailout = world.settings.adc_bailout;
         let plain = !quality.flat && (0.0..1.0).contains(&bailout) && !world.lights.iter().any(by_place);
+        let version = world.settings.version;
+        let sky = |eye| Seen::of(world.atmosphere.sky(DVec3::Y, alpha, eye, version));
         Self {
             plain,
+            even_sky: world.atmosphere.is_even().then(|| [false, true].map(sky)),
             world,
             quality,
             alpha,
@@ -128,13 +137,31 @@ impl<'w> Tracer<'w> {
         self.follow(path, &hit)
     }
 
-    /// The same for a ray of which it is known what it meets first.
-    pub(super) fn trace_from(&mut self, path: Path, hit: &Option<Hit>) -> Seen {
-        if self.allowed(&path) { self.follow(path, hit) } else { Seen::NOTHING }
+    /// The same for a ray of which it is known what it meets first. The path comes back as it was, for the next ray.
+    #[inline]
+    pub(super) fn trace_from(&mut self, path: &mut Path, hit: &Option<Hit>) -> Seen {
+        if !self.allowed(path) {
+            return Seen::NOTHING;
+        }
+        path.level += 1;
+        let ended = self.end(path, hit);
+        path.level -= 1;
+        ended.unwrap_or_else(|| self.follow(path.clone(), hit))
+    }
+
+    /// What a ray sees that comes through clear air and ends at the sky or at what is plain.
+    #[inline]
+    fn end(&mut self, path: &Path, hit: &Option<Hit>) -> Option<Seen> {
+        if self.is_airy(path, hit.is_some()) {
+            return None;
+        }
+        match hit {
+            Some(hit) => self.plain(path, hit).map(|color| Seen { color, transmit: 0.0 }),
+            None => Some(self.sky(path)),
+        }
     }
 
     /// Follows a ray from what it meets first.
-    #[inline]
     fn follow(&mut self, mut path: Path, first: &Option<Hit>) -> Seen {
         let mut hit = first;
         let mut beyond;
@@ -180,6 +207,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// Whether a ray is neither too deep nor too faint.
+    #[inline]
     fn allowed(&mut self, path: &Path) -> bool {
         let settings = &self.world.settings;
         let (deep, faint) = (path.level >= settings.max_trace_level, path.weight < settings.adc_bailout);
@@ -188,10 +216,16 @@ impl<'w> Tracer<'w> {
         !deep && !faint
     }
 
+    #[inline]
     fn sky(&mut self, path: &Path) -> Seen {
         self.statistics.sky_evaluations += 1;
         let (direction, eye) = (path.ray.direction, path.kind == RayKind::IMAGE);
-        let sky = self.world.atmosphere.sky(direction, self.alpha, eye, self.world.settings.version);
-        Seen { color: sky.color, transmit: sky.transmit }
+        match &self.even_sky {
+            Some(even) => even[usize::from(eye)],
+            None => {
+                let version = self.world.settings.version;
+                Seen::of(self.world.atmosphere.sky(direction, self.alpha, eye, version))
+            }
+        }
     }
 }

@@ -25,6 +25,7 @@ pub mod shape;
 pub mod surface;
 pub mod texture;
 pub mod together;
+pub mod umbra;
 pub mod warp;
 
 pub use atmosphere::Atmosphere;

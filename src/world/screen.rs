@@ -215,7 +215,7 @@ impl Balls {
 }
 
 /// How much a transform makes everything larger; `None` where that depends on the direction.
-fn scale(transform: &Transform) -> Option<f64> {
+pub(super) fn scale(transform: &Transform) -> Option<f64> {
     let [x, y, z] = DVec3::AXES.map(|axis| transform.vector(axis));
     let square = x.length_squared();
     let off = [x.dot(y), y.dot(z), z.dot(x), y.length_squared() - square, z.length_squared() - square];

@@ -6,6 +6,7 @@ use crate::math::{Bounds, DVec3};
 use crate::world::accel::{Hull, Points};
 use crate::world::hit::Geometry;
 use crate::world::screen::Screen;
+use crate::world::umbra::Shade;
 use crate::world::{Intersection, Light};
 
 /// Cells that are remembered at a time.
@@ -44,14 +45,23 @@ struct Cell {
     place: [i32; 3],
 }
 
-/// What is between a cell and a lamp.
+/// What was found out about a cell.
 #[derive(Clone, Debug, Default)]
 struct Shaft {
     cell: Cell,
     /// How often it was asked for.
     asked: u32,
     /// The objects; `None` if they are many, or not known.
-    among: Option<Vec<Screen>>,
+    among: Option<Between>,
+}
+
+/// What is between a cell and a lamp.
+#[derive(Clone, Debug)]
+pub(super) enum Between {
+    /// Of a lamp of one place.
+    Shade(Shade),
+    /// Of other lamps.
+    Screens(Vec<Screen>),
 }
 
 impl Shafts {
@@ -90,25 +100,33 @@ impl Shafts {
 
     /// What was found.
     #[inline]
-    pub(super) fn among(&self, slot: usize) -> &[Screen] {
-        self.cells[slot].among.as_deref().unwrap_or_default()
+    pub(super) fn among(&self, slot: usize) -> Option<&Between> {
+        self.cells[slot].among.as_ref()
     }
 
-    /// The same for those who need the shafts at the same time. Give them [`back`](Self::back).
+    /// The screens found for those who need the shafts at the same time. Give them [`back`](Self::back).
     pub(super) fn lend(&mut self, slot: usize) -> Vec<Screen> {
-        self.cells[slot].among.take().unwrap_or_default()
+        match &mut self.cells[slot].among {
+            Some(Between::Screens(screens)) => std::mem::take(screens),
+            _ => Vec::new(),
+        }
     }
 
     /// Takes back what was lent.
-    pub(super) fn back(&mut self, slot: usize, among: Vec<Screen>) {
-        self.cells[slot].among = Some(among);
+    pub(super) fn back(&mut self, slot: usize, screens: Vec<Screen>) {
+        self.cells[slot].among = Some(Between::Screens(screens));
     }
 }
 
 /// The objects between a cell and a lamp; `None` if they are many.
 #[cold]
-fn look(geometry: &Geometry, cell: Cell, width: f64, light: &Light) -> Option<Vec<Screen>> {
-    geometry.between(&cell.hull(width, light)?).map(|found| found.to_vec())
+fn look(geometry: &Geometry, cell: Cell, width: f64, light: &Light) -> Option<Between> {
+    let bounds = cell.bounds(width);
+    if light.area.is_none() && light.projected_through.is_none() {
+        return geometry.shade(light.location, &bounds).map(Between::Shade);
+    }
+    let hull = Cell::hull(&bounds, light)?;
+    geometry.between(&hull).map(|found| Between::Screens(found.to_vec()))
 }
 
 impl Cell {
@@ -137,11 +155,15 @@ impl Cell {
         (mixed >> 16) as usize % CELLS
     }
 
-    /// What encloses all ways from the cell to a lamp.
-    fn hull(&self, width: f64, light: &Light) -> Option<Hull> {
+    /// Where its points are.
+    fn bounds(&self, width: f64) -> Bounds {
         let [x, y, z] = self.place;
         let low = DVec3::new(f64::from(x), f64::from(y), f64::from(z)) * width;
-        let cell = Bounds::new(low - ROOM * width, low + (1.0 + ROOM) * width);
+        Bounds::new(low - ROOM * width, low + (1.0 + ROOM) * width)
+    }
+
+    /// What encloses all ways from a cell to a lamp.
+    fn hull(cell: &Bounds, light: &Light) -> Option<Hull> {
         let mut points = Points::from_slice(&[light.location, cell.center()]);
         points.extend(cell.corners());
         match &light.area {

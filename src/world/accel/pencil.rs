@@ -30,6 +30,8 @@ pub struct Pencil {
     pub from: Bounds,
     /// Where they go through.
     pub through: Bounds,
+    /// Whether they end there.
+    pub ends: bool,
 }
 
 /// What the rays of a pencil may meet, the nearest first.
@@ -180,13 +182,15 @@ impl Bvh {
         // Beyond the second box the borders are those of rays from the other side of the first.
         let beyond = |near: DVec3, far: DVec3| far + (far - near);
         let opposite = Bounds { min: beyond(from.max, through.min), max: beyond(from.min, through.max) };
-        let pieces = [Piece::new(from, through, 1.0), Piece::new(through, opposite, LAST)];
+        let near_piece = Piece::new(from, through, 1.0);
+        let far_piece = (!pencil.ends).then(|| Piece::new(through, opposite, LAST));
         let room = self.blur() + NEAR as f32 * SLACK;
         let mut stack = smallvec::SmallVec::<[u32; 32]>::new();
         stack.push(0);
         while let Some(number) = stack.pop() {
             let node = &self.nodes()[number as usize];
-            let ((near, first), (far, second)) = (pieces[0].test(node), pieces[1].test(node));
+            let (near, first) = near_piece.test(node);
+            let (far, second) = far_piece.as_ref().map_or(([0.0; WIDTH], 0), |piece| piece.test(node));
             tally::boxes(WIDTH);
             let mut met = first | second;
             while met != 0 {

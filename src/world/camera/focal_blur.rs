@@ -130,7 +130,7 @@ impl FocalBlur {
         let through = directions.iter().map(|&direction| self.location + direction * self.focus);
         let through = room(Bounds::of(through));
         let apart = (through.min - from.max).max(from.min - through.max).max(DVec3::ZERO);
-        (apart.length_squared() > LEAST_SQUARE).then_some(Pencil { from, through })
+        (apart.length_squared() > LEAST_SQUARE).then_some(Pencil { from, through, ends: false })
     }
 
     /// The most rays a pixel gets.

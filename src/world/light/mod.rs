@@ -83,6 +83,7 @@ impl Incident {
 }
 
 /// Whether a colour counts as no light at all; negative light is light.
+#[inline]
 pub fn is_dark(color: Rgb) -> bool {
     color.abs().max_element() < DARK
 }
