@@ -4,13 +4,16 @@ use std::sync::LazyLock;
 
 use super::Eye;
 use super::jitter::jitter;
+use super::plain::Bundle;
+use super::random::Random;
 use super::sampling::Sample;
-use super::trace::{Path, Tracer};
+use super::trace::{Path, Seen, Tracer};
 use crate::math::noise::hashes;
 use crate::math::wide::widest;
 use crate::math::{DVec2, DVec3, Lanes};
 use crate::world::accel::Pencil;
 use crate::world::camera::{FocalBlur, Perspective, Projection, film};
+use crate::world::hit::Hit;
 use crate::world::{Ray, RayKind, Rays};
 
 /// Sub-pixel places along an axis.
@@ -18,6 +21,9 @@ const PLACES: usize = 16;
 
 /// Rays of a pixel stay within this of its middle, along both axes.
 const EDGE: f64 = 0.55;
+
+/// What rays of so many pixels in a row may meet is found together.
+const ROW: f64 = 4.0;
 
 /// Where rays go through a pixel, by the numbers of the place from the left and from the top.
 static SHIFTS: LazyLock<[[DVec2; PLACES]; PLACES]> = LazyLock::new(|| {
@@ -31,36 +37,37 @@ static SHIFTS: LazyLock<[[DVec2; PLACES]; PLACES]> = LazyLock::new(|| {
 });
 
 /// Sums of samples and of their squares.
-#[derive(Default)]
 struct Sums {
     count: usize,
-    values: [f64; 4],
-    squares: [f64; 4],
+    values: Lanes,
+    squares: Lanes,
 }
 
 impl Sums {
+    const NONE: Self = Self { count: 0, values: Lanes::ZERO, squares: Lanes::ZERO };
+
     #[inline]
     fn add(&mut self, sample: Sample) {
+        let value = Lanes(sample.map(f64::from));
         self.count += 1;
-        for (i, value) in sample.into_iter().enumerate() {
-            let value = f64::from(value);
-            self.values[i] += value;
-            self.squares[i] += value * value;
-        }
+        self.values = self.values + value;
+        self.squares = self.squares + value * value;
     }
 
     fn mean(&self) -> Sample {
-        self.values.map(|sum| (sum / self.count as f64) as f32)
+        self.values.0.map(|sum| (sum / self.count as f64) as f32)
     }
 
     /// The variances of the means.
     fn variances(&self) -> [f64; 4] {
-        let n = self.count as f64;
-        let mut variances = [0.0; 4];
-        for (variance, (value, square)) in variances.iter_mut().zip(self.values.iter().zip(&self.squares)) {
-            *variance = (square / n - (value / n).powi(2)) / n;
-        }
-        variances
+        widest(
+            #[inline(always)]
+            || {
+                let n = Lanes::splat(self.count as f64);
+                let mean = self.values / n;
+                ((self.squares / n - mean * mean) / n).0
+            },
+        )
     }
 }
 
@@ -82,15 +89,25 @@ impl Eye<'_> {
             _ => None,
         };
         let straight = perspective.filter(|perspective| {
-            let pencil = self.pencil(blur, perspective, x, y);
-            pencil.is_some_and(|pencil| self.world.geometry.within(&pencil, &mut within))
+            let whole = x.fract() == 0.0 && y.fract() == 0.0;
+            let (start, more) = if whole { ((x / ROW).floor() * ROW, ROW - 1.0) } else { (x, 0.0) };
+            match tracer.row {
+                Some((place, known)) if place == [start, y] => known,
+                _ => {
+                    let pencil = self.pencil(blur, perspective, [start, start + more], y);
+                    let geometry = &self.world.geometry;
+                    let known = pencil.is_some_and(|pencil| geometry.within(&pencil, &mut within));
+                    tracer.row = Some(([start, y], known));
+                    known
+                }
+            }
         });
         // Where there is nothing but a sky of one colour, one ray tells what all see.
         let world = self.world;
         let empty = straight.is_some() && within.items().is_empty() && world.geometry.is_bounded();
         let alike = empty && world.atmosphere.is_clear() && world.atmosphere.is_even();
         let sky = alike.then(|| self.lens_sample(tracer, blur, x, y, 0));
-        let mut sums = Sums::default();
+        let mut sums = Sums::NONE;
         let mut hits = [None; Lanes::COUNT];
         let nowhere = Ray::new(DVec3::ZERO, DVec3::ZERO);
         let inside = self.inside.clone().unwrap_or_default();
@@ -115,8 +132,10 @@ impl Eye<'_> {
                 }
                 let rays = self.four_rays(blur, perspective, &places, first);
                 self.world.geometry.hits(&within, &rays, count, kind, &mut hits);
-                for lane in 0..count {
-                    sums.add(self.met(tracer, &mut path, rays.ray(lane), places[lane], &hits[lane]));
+                for sample in self.four_seen(tracer, &mut path, &rays, &places, &hits, count) {
+                    if sums.count < first + count {
+                        sums.add(sample);
+                    }
                 }
             }
             if end == blur.max_samples() || blur.is_enough(sums.count, || sums.variances()) {
@@ -127,13 +146,19 @@ impl Eye<'_> {
         sums.mean()
     }
 
-    /// All rays through the lens and the pixel at image coordinates; `None` where they may start where they are
-    /// in focus.
-    fn pencil(&self, blur: &FocalBlur, perspective: &Perspective, x: f64, y: f64) -> Option<Pencil> {
-        let corner = |a: f64, b: f64| {
-            perspective.direction(film(x + EDGE * a, y + EDGE * b, self.options.width, self.options.height))
-        };
-        blur.pencil(&[corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)])
+    /// All rays through the lens and pixels from one to another in a row; `None` where they may start where they
+    /// are in focus.
+    fn pencil(
+        &self,
+        blur: &FocalBlur,
+        perspective: &Perspective,
+        [first, last]: [f64; 2],
+        y: f64,
+    ) -> Option<Pencil> {
+        let corner =
+            |x: f64, y: f64| perspective.direction(film(x, y, self.options.width, self.options.height));
+        let (left, right, above, below) = (first - EDGE, last + EDGE, y - EDGE, y + EDGE);
+        blur.pencil(&[corner(left, above), corner(left, below), corner(right, above), corner(right, below)])
     }
 
     /// The rays of four samples from number `first` on, through image coordinates.
@@ -160,6 +185,36 @@ impl Eye<'_> {
                 blur.rays(&perspective.directions(x, y), first, &shifts)
             },
         )
+    }
+
+    /// What the first `count` of four rays see, of which it is known what they meet first; `path` is that of a ray
+    /// before.
+    #[inline]
+    fn four_seen(
+        &self,
+        tracer: &mut Tracer,
+        path: &mut Path,
+        rays: &Rays,
+        places: &[(f64, f64); Lanes::COUNT],
+        hits: &[Option<Hit>; Lanes::COUNT],
+        count: usize,
+    ) -> [Sample; Lanes::COUNT] {
+        if !tracer.calm || self.inside.is_none() {
+            let mut seen = [[0.0; 4]; Lanes::COUNT];
+            for lane in 0..count {
+                seen[lane] = self.met(tracer, rays.ray(lane), places[lane], &hits[lane]);
+            }
+            return seen;
+        }
+        tracer.statistics.camera_rays += count as u64;
+        let mut met = [None; Lanes::COUNT];
+        for lane in 0..count {
+            met[lane] = hits[lane].as_ref();
+        }
+        let randoms = places.map(|(x, y)| Random::of_sample(x, y, self.options.seed));
+        let rays = [0, 1, 2, 3].map(|lane| rays.ray(lane));
+        let seen = tracer.trace_bundle(path, &Bundle { rays, hits: met, randoms: Some(&randoms) }, count);
+        seen.map(Seen::sample)
     }
 
     /// What ray `index` sees that goes through the lens and image coordinates.

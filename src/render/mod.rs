@@ -162,30 +162,14 @@ impl<'w> Eye<'w> {
     #[inline]
     fn seen(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64), reach: f64) -> Sample {
         let path = self.set_off(tracer, ray, (x, y));
-        let seen = tracer.trace_within(path, reach);
-        let [r, g, b] = seen.color.to_array();
-        [r, g, b, seen.transmit]
+        tracer.trace_within(path, reach).sample()
     }
 
-    /// The same along a ray of which it is known what it meets first; `path` is that of a ray before.
+    /// The same along a ray of which it is known what it meets first.
     #[inline]
-    fn met(
-        &self,
-        tracer: &mut Tracer,
-        path: &mut Path,
-        ray: Ray,
-        (x, y): (f64, f64),
-        hit: &Option<Hit>,
-    ) -> Sample {
-        tracer.statistics.camera_rays += 1;
-        tracer.random = Random::of_sample(x, y, self.options.seed);
-        path.ray = ray;
-        if self.inside.is_none() {
-            path.inside = self.around(&ray);
-        }
-        let seen = tracer.trace_from(path, hit);
-        let [r, g, b] = seen.color.to_array();
-        [r, g, b, seen.transmit]
+    fn met(&self, tracer: &mut Tracer, ray: Ray, place: (f64, f64), hit: &Option<Hit>) -> Sample {
+        let path = self.set_off(tracer, ray, place);
+        tracer.trace_from(path, hit).sample()
     }
 
     /// A ray of the camera, about to be traced.
@@ -195,13 +179,8 @@ impl<'w> Eye<'w> {
         tracer.random = Random::of_sample(x, y, self.options.seed);
         let inside = match &self.inside {
             Some(inside) => inside.clone(),
-            None => self.around(&ray),
+            None => Inside::of(self.world.interiors_around(ray.origin)),
         };
         Path { ray, level: 0, weight: 1.0, kind: RayKind::IMAGE, wavelength: None, inside }
-    }
-
-    /// What a ray starts inside of.
-    fn around(&self, ray: &Ray) -> Inside {
-        Inside::of(self.world.interiors_around(ray.origin))
     }
 }

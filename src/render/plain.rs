@@ -1,15 +1,37 @@
 //! What most rays meet: a surface of one opaque layer that has no bumps and wears no film. Its colour is what
 //! [`Tracer::shade`] would make of it, on a shorter way.
+//!
+//! Rays that travel together take each step together: while one waits for a square root others go on.
 
 use super::finish::Surface;
+use super::random::Random;
 use super::shadow::Target;
 use super::textures;
 use super::trace::{Path, Tracer};
 use crate::math::Rgb;
 use crate::world::hit::Hit;
-use crate::world::light::is_dark;
+use crate::world::light::{Incident, is_dark};
 use crate::world::object::{Leaf, LeafFlags};
 use crate::world::texture::{Finish, Layer, Pigment};
+use crate::world::{Intersection, Ray};
+
+/// Rays that travel together, and what they meet first.
+#[derive(Debug)]
+pub(super) struct Bundle<'a, const N: usize> {
+    pub(super) rays: [Ray; N],
+    /// `None` for those that are of no interest.
+    pub(super) hits: [Option<&'a Hit>; N],
+    /// Where the random numbers of each start; `None` goes on with those at hand.
+    pub(super) randoms: Option<&'a [Random; N]>,
+}
+
+/// A layer that is that simple.
+struct Plain<'w> {
+    finish: &'w Finish,
+    color: Rgb,
+    /// The lamps that may light it.
+    lamps: &'w [u32],
+}
 
 impl<'w> Tracer<'w> {
     /// The layer of a leaf that is that simple; its colour may still be transparent.
@@ -25,57 +47,90 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// The colour of the surface that a ray met, if it is that simple.
+    /// The layer at a hit of a leaf and its colour, if that is so simple. Writes down where the ray met it.
     #[inline]
-    pub(super) fn plain(&mut self, path: &Path, hit: &Hit) -> Option<Rgb> {
+    fn simple(&mut self, leaf: &Leaf, ray: &Ray, hit: &Hit, surface: &mut Intersection) -> Option<Plain<'w>> {
         let world = self.world;
-        let leaf = world.geometry.parts().leaf(hit.leaf);
         let layer = self.plain_layer(leaf)?;
         let finish: &Finish = &layer.finish;
         if finish.irid.is_some() || finish.crand != 0.0 {
             return None;
         }
-        let surface = world.geometry.surface(&path.ray, hit);
+        *surface = world.geometry.surface(ray, hit);
         let color = match &*layer.pigment {
             Pigment::Color(color) => *color,
-            pigment => pigment.color(&textures::sample(world, &path.ray, hit, &surface))?,
+            pigment => pigment.color(&textures::sample(world, ray, hit, surface))?,
         };
         if color.filter != 0.0 || color.transmit != 0.0 {
             return None;
         }
         self.statistics.texture_evaluations += 1;
-        let own = finish.ambient * world.settings.ambient_light + finish.emission;
-        let lit = Surface {
-            finish,
-            color: color.rgb,
-            opacity: 1.0,
-            normal: &surface.normal,
-            direction: &path.ray.direction,
-        };
-        let mut direct = Rgb::ZERO;
-        if finish.diffuse > 0.0 || finish.diffuse_back > 0.0 || finish.specular > 0.0 || finish.phong > 0.0 {
-            let at = Target { surface: &surface, hit: Some(hit), inside: &path.inside, among: None };
-            for &number in &world.light_sets[leaf.lights as usize] {
-                direct += self.plain_light(&at, leaf, &lit, number);
+        let scatters = finish.diffuse > 0.0 || finish.diffuse_back > 0.0;
+        let lit = scatters || finish.specular > 0.0 || finish.phong > 0.0;
+        let lamps = if lit { &world.light_sets[leaf.lights as usize][..] } else { &[] };
+        Some(Plain { finish, color: color.rgb, lamps })
+    }
+
+    /// The colours of the surfaces that rays met which are that simple.
+    #[inline]
+    pub(super) fn plain<const N: usize>(&mut self, path: &mut Path, bundle: &Bundle<N>) -> [Option<Rgb>; N] {
+        let world = self.world;
+        let mut surfaces = [const { Intersection::NOWHERE }; N];
+        let mut met = [const { None }; N];
+        let mut lamps = 0;
+        for lane in 0..N {
+            let Some(hit) = bundle.hits[lane] else { continue };
+            let leaf = world.geometry.parts().leaf(hit.leaf);
+            met[lane] = self.simple(leaf, &bundle.rays[lane], hit, &mut surfaces[lane]);
+            lamps = met[lane].as_ref().map_or(lamps, |plain| plain.lamps.len().max(lamps));
+        }
+        let mut direct = [Rgb::ZERO; N];
+        for index in 0..lamps {
+            let lamp =
+                |plain: &Option<Plain>| plain.as_ref().and_then(|plain| plain.lamps.get(index).copied());
+            let mut incidents = [const { None }; N];
+            for lane in 0..N {
+                let number = lamp(&met[lane]);
+                incidents[lane] =
+                    number.map(|number| world.lights[number as usize].reaching(surfaces[lane].point));
+            }
+            for lane in 0..N {
+                let (Some(plain), Some(hit)) = (&met[lane], bundle.hits[lane]) else { continue };
+                let (Some(number), Some(incident)) = (lamp(&met[lane]), &incidents[lane]) else { continue };
+                let (surface, direction) = (&surfaces[lane], &bundle.rays[lane].direction);
+                let (finish, color) = (plain.finish, plain.color);
+                let lit = Surface { finish, color, opacity: 1.0, normal: &surface.normal, direction };
+                let at = Target { surface, hit: Some(hit), inside: &path.inside, among: None };
+                direct[lane] += self.plain_light(&at, &lit, number, incident);
             }
         }
-        let seen = color.rgb * own + direct;
-        if finish.reflection.is_none() {
-            return Some(seen);
+        let mut seen = [None; N];
+        for lane in 0..N {
+            let (Some(Plain { finish, color, .. }), Some(hit)) = (&met[lane], bundle.hits[lane]) else {
+                continue;
+            };
+            let own = finish.ambient * world.settings.ambient_light + finish.emission;
+            let mut sum = *color * own + direct[lane];
+            if finish.reflection.is_some() {
+                path.ray = bundle.rays[lane];
+                self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
+                sum += self.mirrored_by(path, hit, &surfaces[lane], finish, *color);
+            }
+            seen[lane] = Some(sum);
         }
-        Some(seen + self.mirrored_by(path, hit, &surface, finish, color.rgb))
+        seen
     }
 
     /// The light that a lamp makes a layer send to the eye.
     #[inline]
-    fn plain_light(&mut self, at: &Target, leaf: &Leaf, lit: &Surface, number: u32) -> Rgb {
+    fn plain_light(&mut self, at: &Target, lit: &Surface, number: u32, incident: &Incident) -> Rgb {
         let light = &self.world.lights[number as usize];
-        let incident = light.reaching(at.surface.point);
         if incident.is_dark() {
             self.statistics.lights_dark += 1;
             return Rgb::ZERO;
         }
-        let facing = lit.faces(leaf, &incident.direction);
+        let leaf = at.hit.map(|hit| self.world.geometry.parts().leaf(hit.leaf));
+        let facing = leaf.is_some_and(|leaf| lit.faces(leaf, &incident.direction));
         if !facing && lit.finish.diffuse_back <= 0.0 {
             self.statistics.lights_behind += 1;
             return Rgb::ZERO;
@@ -84,7 +139,7 @@ impl<'w> Tracer<'w> {
             self.statistics.lights_unseen += 1;
             return Rgb::ZERO;
         }
-        let color = self.arriving(at, number, &incident);
+        let color = self.arriving(at, number, incident);
         if is_dark(color) {
             return Rgb::ZERO;
         }

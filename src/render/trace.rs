@@ -2,9 +2,11 @@
 //! (docs/spec/shading.md 4).
 
 use super::media::{Beam, Between};
+use super::plain::Bundle;
 use super::quality::Quality;
 use super::random::Random;
 use super::refract::Inside;
+use super::sampling::Sample;
 use super::shade::Mirror;
 use super::shadow::{Places, Shafts};
 use super::stats::Statistics;
@@ -48,6 +50,13 @@ impl Seen {
     fn of(sky: Sky) -> Self {
         Self { color: sky.color, transmit: sky.transmit }
     }
+
+    /// The sample that is.
+    #[inline]
+    pub(super) fn sample(self) -> Sample {
+        let [red, green, blue] = self.color.to_array();
+        [red, green, blue, self.transmit]
+    }
 }
 
 /// Follows rays; one for each thread.
@@ -74,6 +83,8 @@ pub(super) struct Tracer<'w> {
     pub(super) between: Vec<Between>,
     /// What the rays through the lens at hand may meet.
     pub(super) within: Within,
+    /// The pixels for which that was found, by image coordinates of the first, and whether it is known.
+    pub(super) row: Option<([f64; 2], bool)>,
     /// What may be in the way of the light at the sample of media at hand.
     pub(super) near: Vec<u32>,
     pub(super) screens: Vec<Screen>,
@@ -85,6 +96,8 @@ pub(super) struct Tracer<'w> {
     pub(super) pixel: f64,
     /// Whether anything may be shaded as what is [`plain`](Self::plain).
     pub(super) plain: bool,
+    /// Whether no ray takes random numbers on its way: there is nothing in the air, and no lamp is a grid.
+    pub(super) calm: bool,
     /// What other rays see of a sky of one colour, and rays from the camera.
     even_sky: Option<[Seen; 2]>,
 }
@@ -96,10 +109,14 @@ impl<'w> Tracer<'w> {
         let by_place = |light: &Light| light.area.as_ref().is_some_and(|area| area.area_illumination);
         let bailout = world.settings.adc_bailout;
         let plain = !quality.flat && (0.0..1.0).contains(&bailout) && !world.lights.iter().any(by_place);
+        let mut lights = world.lights.iter();
         let version = world.settings.version;
         let sky = |eye| Seen::of(world.atmosphere.sky(DVec3::Y, alpha, eye, version));
         Self {
             plain,
+            calm: world.atmosphere.is_clear()
+                && !world.needs.media
+                && lights.all(|light| light.area.is_none()),
             even_sky: world.atmosphere.is_even().then(|| [false, true].map(sky)),
             world,
             quality,
@@ -114,6 +131,7 @@ impl<'w> Tracer<'w> {
             beams: Vec::new(),
             between: Vec::new(),
             within: Within::default(),
+            row: None,
             near: Vec::new(),
             screens: Vec::new(),
             places: Places::default(),
@@ -137,28 +155,39 @@ impl<'w> Tracer<'w> {
         self.follow(path, &hit)
     }
 
-    /// The same for a ray of which it is known what it meets first. The path comes back as it was, for the next ray.
-    #[inline]
-    pub(super) fn trace_from(&mut self, path: &mut Path, hit: &Option<Hit>) -> Seen {
-        if !self.allowed(path) {
-            return Seen::NOTHING;
-        }
-        path.level += 1;
-        let ended = self.end(path, hit);
-        path.level -= 1;
-        ended.unwrap_or_else(|| self.follow(path.clone(), hit))
+    /// The same for a ray of which it is known what it meets first.
+    pub(super) fn trace_from(&mut self, path: Path, hit: &Option<Hit>) -> Seen {
+        if self.allowed(&path) { self.follow(path, hit) } else { Seen::NOTHING }
     }
 
-    /// What a ray sees that comes through clear air and ends at the sky or at what is plain.
+    /// The same for the first `count` rays of a bundle, where the air is [`calm`](Self::calm).
     #[inline]
-    fn end(&mut self, path: &Path, hit: &Option<Hit>) -> Option<Seen> {
-        if self.is_airy(path, hit.is_some()) {
-            return None;
+    pub(super) fn trace_bundle<const N: usize>(
+        &mut self,
+        path: &mut Path,
+        bundle: &Bundle<N>,
+        count: usize,
+    ) -> [Seen; N] {
+        let mut seen = [Seen::NOTHING; N];
+        let allowed = (0..count).filter(|_| self.allowed(path)).count();
+        if allowed < count {
+            return seen;
         }
-        match hit {
-            Some(hit) => self.plain(path, hit).map(|color| Seen { color, transmit: 0.0 }),
-            None => Some(self.sky(path)),
+        path.level += 1;
+        let plain = self.plain(path, bundle);
+        path.level -= 1;
+        for lane in 0..count {
+            path.ray = bundle.rays[lane];
+            seen[lane] = match (plain[lane], bundle.hits[lane]) {
+                (Some(color), _) => Seen { color, transmit: 0.0 },
+                (None, None) => self.sky(path),
+                (None, hit) => {
+                    self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
+                    self.follow(path.clone(), &hit.copied())
+                }
+            };
         }
+        seen
     }
 
     /// Follows a ray from what it meets first.
@@ -183,7 +212,8 @@ impl<'w> Tracer<'w> {
                 transmit += clear * sky.transmit;
                 break;
             };
-            if let Some(seen) = self.plain(&path, met) {
+            let alone = Bundle { rays: [path.ray], hits: [Some(met)], randoms: None };
+            if let [Some(seen)] = self.plain(&mut path, &alone) {
                 color += left * seen;
                 break;
             }

@@ -24,6 +24,16 @@ pub struct Intersection {
 }
 
 impl Intersection {
+    /// The origin of space.
+    pub const NOWHERE: Self = Self {
+        point: DVec3::ZERO,
+        textured: DVec3::ZERO,
+        error: 0.0,
+        normal: DVec3::ZERO,
+        geometric: DVec3::ZERO,
+        inside: false,
+    };
+
     /// A point in space, where media are lit: rays leave it in all directions.
     pub fn in_space(point: DVec3) -> Self {
         let error = Self::rounding(point);

@@ -276,7 +276,7 @@ impl Geometry {
 mod tests {
     use super::*;
     use crate::math::dice::numbers;
-    use crate::world::shape::Cuboid;
+    use crate::world::shape::r#box::Cuboid;
     use crate::world::{Range, Ray};
 
     #[test]

@@ -155,7 +155,11 @@ fn a_pencil_lists_every_box_that_one_of_its_rays_meets() {
                 let (middle, half) = (numbers.vector() * far, numbers.vector() * 0.1);
                 Bounds::new(at + size * (middle - half), at + size * (middle + half))
             };
-            let pencil = Pencil { from: around(if turn % 2 == 0 { 2.0 } else { 0.5 }), through: around(1.0) };
+            let pencil = Pencil {
+                from: around(if turn % 2 == 0 { 2.0 } else { 0.5 }),
+                through: around(1.0),
+                ends: false,
+            };
             if !tree.within(&pencil, &mut within) {
                 continue;
             }

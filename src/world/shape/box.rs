@@ -77,6 +77,8 @@ impl Cuboid {
         let (min, max) = (self.min.to_array(), self.max.to_array());
         let (mut near, mut far) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
         let (mut enter, mut leave) = (Lanes::splat(f64::NEG_INFINITY), ends);
+        // The face that is entered last, and where the one before it is.
+        let (mut part, mut before) = (Lanes::ZERO, enter);
         let mut steep = Lanes::splat(1.0);
         for axis in 0..3 {
             let (o, d) = (rays.origin[axis], rays.direction[axis]);
@@ -84,6 +86,10 @@ impl Cuboid {
             let high = (-o + max[axis]) / d;
             near[axis] = low.where_positive(d, high);
             far[axis] = high.where_positive(d, low);
+            let face = d.map(|d| (2 * axis) as f64 + if d < 0.0 { 1.0 } else { 0.0 });
+            let less = enter.zip(near[axis], |enter, near| if near < enter { near } else { enter });
+            before = before.zip(less, |before, less| if less > before { less } else { before });
+            part = face.where_positive(near[axis] - enter, part);
             enter = enter.zip(near[axis], |enter, near| if near > enter { near } else { enter });
             leave = leave.zip(far[axis], |leave, far| if far < leave { far } else { leave });
             steep = steep * d;
@@ -96,7 +102,15 @@ impl Cuboid {
         if asked == 0 {
             return None;
         }
-        let (mut nearest, mut parts) = (Lanes::splat(f64::NAN), Lanes::ZERO);
+        // Where all else is farther off than rounding, that face is met.
+        let room = enter * (2.0 * EDGE);
+        let first = (enter - before).zip(room, |apart, room| if apart > room { 1.0 } else { 0.0 });
+        let solid = (leave - enter).zip(room, |apart, room| if apart > room { 1.0 } else { 0.0 });
+        let ahead = enter.zip(steep, |enter, steep| if enter > 0.0 && steep != 0.0 { 1.0 } else { 0.0 });
+        let clear = first * solid * ahead;
+        asked &= !clear.bits(|clear| clear > 0.0);
+        let mut nearest = enter.where_positive(clear, Lanes::splat(f64::NAN));
+        let mut parts = part;
         while asked != 0 {
             let lane = asked.trailing_zeros() as usize % Lanes::COUNT;
             asked &= asked - 1;
