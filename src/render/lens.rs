@@ -7,7 +7,7 @@ use super::jitter::jitter;
 use super::plain::Bundle;
 use super::random::Random;
 use super::sampling::Sample;
-use super::trace::{Path, Seen, Tracer};
+use super::trace::{Path, Tracer};
 use crate::math::noise::hashes;
 use crate::math::wide::widest;
 use crate::math::{DVec2, DVec3, Lanes};
@@ -48,7 +48,8 @@ impl Sums {
 
     #[inline]
     fn add(&mut self, sample: Sample) {
-        let value = Lanes(sample.map(f64::from));
+        let [red, green, blue, transmit] = sample;
+        let value = Lanes([red.into(), green.into(), blue.into(), transmit.into()]);
         self.count += 1;
         self.values = self.values + value;
         self.squares = self.squares + value * value;
@@ -132,11 +133,7 @@ impl Eye<'_> {
                 }
                 let rays = self.four_rays(blur, perspective, &places, first);
                 self.world.geometry.hits(&within, &rays, count, kind, &mut hits);
-                for sample in self.four_seen(tracer, &mut path, &rays, &places, &hits, count) {
-                    if sums.count < first + count {
-                        sums.add(sample);
-                    }
-                }
+                self.four_seen(tracer, &mut path, &rays, &places, &hits[..count], &mut sums);
             }
             if end == blur.max_samples() || blur.is_enough(sums.count, || sums.variances()) {
                 break;
@@ -187,8 +184,7 @@ impl Eye<'_> {
         )
     }
 
-    /// What the first `count` of four rays see, of which it is known what they meet first; `path` is that of a ray
-    /// before.
+    /// Sums up what up to four rays see of which it is known what they meet first; `path` is that of a ray before.
     #[inline]
     fn four_seen(
         &self,
@@ -196,25 +192,26 @@ impl Eye<'_> {
         path: &mut Path,
         rays: &Rays,
         places: &[(f64, f64); Lanes::COUNT],
-        hits: &[Option<Hit>; Lanes::COUNT],
-        count: usize,
-    ) -> [Sample; Lanes::COUNT] {
+        hits: &[Option<Hit>],
+        sums: &mut Sums,
+    ) {
         if !tracer.calm || self.inside.is_none() {
-            let mut seen = [[0.0; 4]; Lanes::COUNT];
-            for lane in 0..count {
-                seen[lane] = self.met(tracer, rays.ray(lane), places[lane], &hits[lane]);
+            for (lane, hit) in hits.iter().enumerate() {
+                sums.add(self.met(tracer, rays.ray(lane), places[lane], hit));
             }
-            return seen;
+            return;
         }
-        tracer.statistics.camera_rays += count as u64;
-        let mut met = [None; Lanes::COUNT];
-        for lane in 0..count {
+        tracer.statistics.camera_rays += hits.len() as u64;
+        // Loops: closures given to methods of arrays are not compiled together with what is around them.
+        let (mut met, mut randoms) = ([None; Lanes::COUNT], [Random::default(); Lanes::COUNT]);
+        let mut apart = [rays.ray(0); Lanes::COUNT];
+        for lane in 0..hits.len() {
             met[lane] = hits[lane].as_ref();
+            randoms[lane] = Random::of_sample(places[lane].0, places[lane].1, self.options.seed);
+            apart[lane] = rays.ray(lane);
         }
-        let randoms = places.map(|(x, y)| Random::of_sample(x, y, self.options.seed));
-        let rays = [0, 1, 2, 3].map(|lane| rays.ray(lane));
-        let seen = tracer.trace_bundle(path, &Bundle { rays, hits: met, randoms: Some(&randoms) }, count);
-        seen.map(Seen::sample)
+        let bundle = Bundle { rays: apart, hits: met, randoms: Some(&randoms) };
+        tracer.trace_bundle(path, &bundle, hits.len(), |seen| sums.add(seen.sample()));
     }
 
     /// What ray `index` sees that goes through the lens and image coordinates.

@@ -48,7 +48,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The layer at a hit of a leaf and its colour, if that is so simple. Writes down where the ray met it.
-    #[inline]
+    #[inline(always)]
     fn simple(&mut self, leaf: &Leaf, ray: &Ray, hit: &Hit, surface: &mut Intersection) -> Option<Plain<'w>> {
         let world = self.world;
         let layer = self.plain_layer(leaf)?;

@@ -96,7 +96,8 @@ pub(super) struct Tracer<'w> {
     pub(super) pixel: f64,
     /// Whether anything may be shaded as what is [`plain`](Self::plain).
     pub(super) plain: bool,
-    /// Whether no ray takes random numbers on its way: there is nothing in the air, and no lamp is a grid.
+    /// Whether no ray of the camera takes random numbers before it is bent or mirrored: there is nothing in the air, and
+    /// no lamp is a grid. Nor is any ray of the camera left out.
     pub(super) calm: bool,
     /// What other rays see of a sky of one colour, and rays from the camera.
     even_sky: Option<[Seen; 2]>,
@@ -109,14 +110,13 @@ impl<'w> Tracer<'w> {
         let by_place = |light: &Light| light.area.as_ref().is_some_and(|area| area.area_illumination);
         let bailout = world.settings.adc_bailout;
         let plain = !quality.flat && (0.0..1.0).contains(&bailout) && !world.lights.iter().any(by_place);
-        let mut lights = world.lights.iter();
+        let airy = !world.atmosphere.is_clear() || world.needs.media;
+        let calm = !airy && world.lights.iter().all(|light| light.area.is_none());
         let version = world.settings.version;
         let sky = |eye| Seen::of(world.atmosphere.sky(DVec3::Y, alpha, eye, version));
         Self {
             plain,
-            calm: world.atmosphere.is_clear()
-                && !world.needs.media
-                && lights.all(|light| light.area.is_none()),
+            calm: calm && world.settings.max_trace_level > 0 && bailout <= 1.0,
             even_sky: world.atmosphere.is_even().then(|| [false, true].map(sky)),
             world,
             quality,
@@ -167,27 +167,22 @@ impl<'w> Tracer<'w> {
         path: &mut Path,
         bundle: &Bundle<N>,
         count: usize,
-    ) -> [Seen; N] {
-        let mut seen = [Seen::NOTHING; N];
-        let allowed = (0..count).filter(|_| self.allowed(path)).count();
-        if allowed < count {
-            return seen;
-        }
+        mut show: impl FnMut(Seen),
+    ) {
         path.level += 1;
         let plain = self.plain(path, bundle);
         path.level -= 1;
         for lane in 0..count {
             path.ray = bundle.rays[lane];
-            seen[lane] = match (plain[lane], bundle.hits[lane]) {
+            show(match (plain[lane], bundle.hits[lane]) {
                 (Some(color), _) => Seen { color, transmit: 0.0 },
                 (None, None) => self.sky(path),
                 (None, hit) => {
                     self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
                     self.follow(path.clone(), &hit.copied())
                 }
-            };
+            });
         }
-        seen
     }
 
     /// Follows a ray from what it meets first.

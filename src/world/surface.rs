@@ -46,6 +46,22 @@ impl Intersection {
         ROUNDING * point.abs().max_element()
     }
 
+    /// A point of a leaf where a ray met it, where its textures are looked up, its normal and that of the true surface.
+    #[inline(always)]
+    fn seen_by(ray: &Ray, leaf: &Leaf, [point, textured, normal, geometric]: [DVec3; 4]) -> Self {
+        let inside = normal.dot(ray.direction) > 0.0;
+        let turn = |n: DVec3| if inside { -n } else { n };
+        let coordinates = ray.origin.abs().max(point.abs()).max_element();
+        Self {
+            point,
+            textured,
+            error: ROUNDING * (coordinates + f64::from(leaf.reach)),
+            normal: turn(normal),
+            geometric: turn(geometric),
+            inside,
+        }
+    }
+
     /// Where a ray in `direction` starts that leaves the surface here.
     #[inline]
     pub fn leave(&self, direction: DVec3) -> DVec3 {
@@ -62,25 +78,12 @@ impl Geometry {
     #[inline(always)]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Intersection {
         let leaf = self.parts().leaf(hit.leaf);
-        let [point, textured, normal, geometric] = match &leaf.transform {
-            None if leaf.primitive.is_simple() => {
-                let (point, normal) = leaf.primitive.touched(ray.at(hit.t), &hit.crossing);
-                let normal = leaf.outward(normal);
-                [point, point, normal, normal]
-            }
-            _ => details(leaf, ray, hit),
-        };
-        let inside = normal.dot(ray.direction) > 0.0;
-        let turn = |n: DVec3| if inside { -n } else { n };
-        let coordinates = ray.origin.abs().max(point.abs()).max_element();
-        Intersection {
-            point,
-            textured,
-            error: ROUNDING * (coordinates + f64::from(leaf.reach)),
-            normal: turn(normal),
-            geometric: turn(geometric),
-            inside,
+        if leaf.transform.is_none() && leaf.primitive.is_simple() {
+            let (point, normal) = leaf.primitive.touched(ray.at(hit.t), &hit.crossing);
+            let normal = leaf.outward(normal);
+            return Intersection::seen_by(ray, leaf, [point, point, normal, normal]);
         }
+        Intersection::seen_by(ray, leaf, details(leaf, ray, hit))
     }
 
     /// Texture coordinates of a hit at `point`; x and y of the point where the shape has none.

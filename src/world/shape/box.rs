@@ -21,6 +21,9 @@ struct Faces {
     far: [f64; 3],
 }
 
+/// The normals of the faces.
+const NORMALS: [DVec3; 6] = [DVec3::NEG_X, DVec3::X, DVec3::NEG_Y, DVec3::Y, DVec3::NEG_Z, DVec3::Z];
+
 /// Rounding that may part the distances of faces which meet in an edge.
 const EDGE: f64 = 4.0 * f64::EPSILON;
 
@@ -229,12 +232,7 @@ impl Shape for Cuboid {
 
     #[inline]
     fn normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
-        let sign = if crossing.part.is_multiple_of(2) { -1.0 } else { 1.0 };
-        match crossing.part / 2 {
-            0 => DVec3::new(sign, 0.0, 0.0),
-            1 => DVec3::new(0.0, sign, 0.0),
-            _ => DVec3::new(0.0, 0.0, sign),
-        }
+        NORMALS[(crossing.part as usize).min(NORMALS.len() - 1)]
     }
 
     /// The faces of a cube folded out as a cross.
@@ -255,11 +253,9 @@ impl Shape for Cuboid {
     fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
         let on = point.max(self.min).min(self.max);
         let face = if crossing.part.is_multiple_of(2) { self.min } else { self.max };
-        match crossing.part / 2 {
-            0 => on.with_x(face.x),
-            1 => on.with_y(face.y),
-            _ => on.with_z(face.z),
-        }
+        // The component across the face is the face's.
+        let across = |axis: u32, face: f64, on: f64| if crossing.part / 2 == axis { face } else { on };
+        DVec3::new(across(0, face.x, on.x), across(1, face.y, on.y), across(2, face.z, on.z))
     }
 }
 

@@ -66,7 +66,11 @@ impl Primitive {
             Self::Sphere(sphere) => sphere.touched(point),
             Self::Box(cuboid) => (cuboid.reproject(point, crossing), cuboid.normal(point, crossing)),
             Self::Plane(plane) => (plane.reproject(point, crossing), plane.normal),
-            _ => self.touched_elsewhere(point, crossing),
+            // Taken apart, so that what the others find never has to go through memory.
+            _ => {
+                let (on, normal) = self.touched_elsewhere(point, crossing);
+                (on, normal)
+            }
         }
     }
 
