@@ -211,7 +211,13 @@ impl Eye<'_> {
             apart[lane] = rays.ray(lane);
         }
         let bundle = Bundle { rays: apart, hits: met, randoms: Some(&randoms) };
-        tracer.trace_bundle(path, &bundle, hits.len(), |seen| sums.add(seen.sample()));
+        tracer.trace_bundle(
+            path,
+            &bundle,
+            hits.len(),
+            #[inline(always)]
+            |seen| sums.add(seen.sample()),
+        );
     }
 
     /// What ray `index` sees that goes through the lens and image coordinates.

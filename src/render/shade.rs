@@ -82,7 +82,7 @@ pub(super) struct Mirror {
 impl Mirror {
     /// What a layer mirrors that ways of this weight come to, where it reflects.
     fn of(finish: &Finish, reflectivity: Option<Reflectivity>, normal: DVec3, weight: f32) -> Option<Self> {
-        let (reflection, reflectivity) = finish.reflection.as_ref().zip(reflectivity)?;
+        let (Some(reflection), Some(reflectivity)) = (&finish.reflection, reflectivity) else { return None };
         Some(Self {
             normal,
             share: reflectivity.color,

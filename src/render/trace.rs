@@ -174,14 +174,15 @@ impl<'w> Tracer<'w> {
         path.level -= 1;
         for lane in 0..count {
             path.ray = bundle.rays[lane];
-            show(match (plain[lane], bundle.hits[lane]) {
-                (Some(color), _) => Seen { color, transmit: 0.0 },
-                (None, None) => self.sky(path),
+            // Shown where it is known: what comes together from several places goes through memory.
+            match (plain[lane], bundle.hits[lane]) {
+                (Some(color), _) => show(Seen { color, transmit: 0.0 }),
+                (None, None) => show(self.sky(path)),
                 (None, hit) => {
                     self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
-                    self.follow(path.clone(), &hit.copied())
+                    show(self.follow(path.clone(), &hit.copied()));
                 }
-            });
+            }
         }
     }
 
