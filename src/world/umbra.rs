@@ -33,6 +33,7 @@ pub struct Umbra {
 }
 
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "few are kept, and every ray reads them: in place")]
 enum Form {
     /// That of balls.
     Balls(View),
