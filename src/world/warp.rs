@@ -64,14 +64,6 @@ impl Warps {
         p.clamp(-FARTHEST, FARTHEST)
     }
 
-    /// Whether [`Warps::along`] says something.
-    pub fn are_held(&self) -> bool {
-        self.steps.iter().all(|step| match step {
-            Warp::BlackHole(hole) => hole.is_continuous(),
-            _ => true,
-        })
-    }
-
     /// What holds the places where the pattern sees all points that these hold.
     pub fn along(&self, p: [Band; 3]) -> [Band; 3] {
         if self.steps.is_empty() {

@@ -20,7 +20,7 @@ const ONE: Band = Band::constant(1.0);
 impl Pattern {
     /// Whether [`Pattern::along`] says something.
     pub(super) fn is_held(&self) -> bool {
-        self.warps.are_held() && self.formula.is_held()
+        self.formula.is_held()
     }
 
     /// What holds the finished values at all points that these hold, with these texture coordinates.

@@ -22,10 +22,8 @@ impl Pigment {
             Self::Pigments(pattern, map) => {
                 pattern.is_known() && is_sorted(map) && map.entries().iter().all(|(_, p)| p.is_held())
             }
-            Self::Average(warps, map) => {
-                warps.are_held() && map.entries().iter().all(|(weight, p)| *weight >= 0.0 && p.is_held())
-            }
-            Self::Image(warps, _) => warps.are_held(),
+            Self::Average(_, map) => map.entries().iter().all(|(weight, p)| *weight >= 0.0 && p.is_held()),
+            Self::Image(..) => true,
             Self::UvMapped(pigment) => pigment.is_held(),
         }
     }

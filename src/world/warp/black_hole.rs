@@ -45,13 +45,20 @@ impl BlackHole {
         if self.inverse { p - d * pull } else { p + d * pull }
     }
 
-    /// Whether points go but a little farther than their neighbours, within a block.
-    pub(super) fn is_continuous(&self) -> bool {
-        self.falloff > 0.0 && self.radius > 0.0
+    /// How strong the pull may be at the hole's end, where it stops at once unless it has fallen off before.
+    fn rim(&self) -> Band {
+        match self.falloff {
+            0.0 => Band::between(self.strength.min(0.0), self.strength.clamp(0.0, 1.0)),
+            _ if self.strength >= 0.0 => Band::between(0.0, 1.0),
+            _ => Band::UNKNOWN,
+        }
     }
 
     /// What holds the places of all points that these hold.
     pub(super) fn along(&self, p: [Band; 3]) -> [Band; 3] {
+        if self.radius <= 0.0 {
+            return p;
+        }
         let size = self.repeat.unwrap_or(DVec3::ZERO);
         let blocks = [0, 1, 2].map(|k| {
             let block = |c: f64| if size[k] >= EPSILON { (c / size[k]).floor() } else { 0.0 };
@@ -74,13 +81,24 @@ impl BlackHole {
         let d = [0, 1, 2].map(|k| p[k] - Band::numbers(centers[k]));
         let distance = (d[0].square() + d[1].square() + d[2].square()).sqrt();
         let zero = Band::constant(0.0);
-        let share = (-distance * (1.0 / self.radius) + 1.0).max(zero);
-        let most = Band::constant(1.0);
-        let pull = (share.powf(Band::constant(self.falloff)) * self.strength).min(most);
+        let share = -distance * (1.0 / self.radius) + 1.0;
+        let pull_of =
+            |share: Band| (share.powf(Band::constant(self.falloff)) * self.strength).min(Band::constant(1.0));
+        let pull = if self.falloff > 0.0 {
+            pull_of(share.max(zero))
+        } else {
+            let beside = zero.where_positive(-share.high(), self.rim());
+            pull_of(share).where_positive(share.low(), beside)
+        };
         let pull = if self.inverse { -pull } else { pull };
         // In several blocks at once: as far as the strongest of all pulls.
-        let farthest = self.radius * self.strength.abs().max(1.0);
-        let any = Band::between(-farthest, farthest);
+        let any = match self.falloff < 0.0 && self.strength < 0.0 {
+            true => Band::UNKNOWN,
+            false => {
+                let farthest = self.radius * self.strength.abs().max(1.0);
+                Band::between(-farthest, farthest)
+            }
+        };
         let many = blocks.iter().fold(Lanes::ZERO, |many, (low, high)| many + (*high - *low).abs());
         [0, 1, 2].map(|k| (p[k] + any).where_positive(many, p[k] + d[k] * pull))
     }

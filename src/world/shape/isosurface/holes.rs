@@ -17,6 +17,8 @@ use crate::world::sample::{Field, Inside};
 use crate::world::shape::Shape;
 use crate::world::shape::battery::Dice;
 use crate::world::shape::r#box::Cuboid;
+use crate::world::shape::curve::{Curve, Segment};
+use crate::world::shape::prism::Prism;
 use crate::world::shape::torus::Torus;
 use crate::world::warp::{BlackHole, Mapping, Projection, Repeat, Warp, Warps};
 use crate::world::{Range, Ray};
@@ -119,25 +121,66 @@ fn surfaces_of_fractals_have_no_holes() {
     }
 }
 
-#[test]
-fn surfaces_of_solids_have_no_holes() {
-    #[derive(Debug)]
-    struct Solid(Torus);
+#[derive(Debug)]
+struct Solid<S>(S);
 
-    impl Inside for Solid {
-        fn inside(&self, point: DVec3) -> bool {
-            self.0.inside(point)
-        }
-
-        fn enclose(&self, point: &[Band; 3]) -> Band {
-            self.0.inside_along(point)
-        }
+impl<S: Shape> Inside for Solid<S> {
+    fn inside(&self, point: DVec3) -> bool {
+        self.0.inside(point)
     }
 
-    let ring = Formula::Object(Arc::new(Solid(Torus { major: 1.2, minor: 0.4 })));
-    // Inside is what is below the threshold.
-    let outside = Pattern { frequency: 0.5, phase: 0.5, wave: Wave::Triangle, ..Pattern::plain(ring) };
-    has_no_holes(outside, 0.5);
+    fn enclose(&self, point: &[Band; 3]) -> Band {
+        self.0.inside_along(point)
+    }
+}
+
+/// A pattern that is 0 inside a solid, as inside is what is below the threshold.
+fn outside<S: Shape + 'static>(solid: S) -> Pattern {
+    let solid = Formula::Object(Arc::new(Solid(solid)));
+    Pattern { frequency: 0.5, phase: 0.5, wave: Wave::Triangle, ..Pattern::plain(solid) }
+}
+
+#[test]
+fn surfaces_of_solids_have_no_holes() {
+    has_no_holes(outside(Torus { major: 1.2, minor: 0.4 }), 0.5);
+}
+
+/// A frame of thin walls, with thin ends: much thinner than the accuracy.
+#[test]
+fn solids_that_only_crossings_tell_are_met_however_thin() {
+    const THIN: f64 = 1e-4;
+    let square = |s: f64| {
+        let corners = [(-s, -s), (s, -s), (s, s), (-s, s), (-s, -s)].map(|(x, z)| DVec2::new(x, z));
+        corners.windows(2).map(|ends| Segment::linear(ends[0], ends[1])).collect::<Vec<_>>()
+    };
+    let outline = Curve::new([square(1.0), square(1.0 - THIN)].concat());
+    let frame = Prism { outline, heights: [-0.8, 0.7], conic: false, open: false };
+    let cube = Cuboid { min: DVec3::splat(-HALF), max: DVec3::splat(HALF) };
+    let surface = Isosurface {
+        function: Arc::new(outside(frame.clone())),
+        threshold: 0.5,
+        container: Container::Box(cube),
+        accuracy: 1e-2,
+        max_gradient: 1e-3,
+        adaptive: None,
+        most: 1,
+        open: false,
+        steepest: Steepest::default(),
+    };
+    let mut met = 0;
+    for number in 0..2000 {
+        let mut dice = Dice::new(number);
+        let origin = dice.cube().normalize() * 6.0;
+        let ray = Ray::new(origin, (dice.cube() * HALF - origin).normalize());
+        let Some(expected) = frame.nearest(&ray, Range::AHEAD) else { continue };
+        met += 1;
+        let found = surface.nearest(&ray, Range::AHEAD);
+        assert!(
+            found.is_some_and(|hit| (hit.t - expected.t).abs() < 1e-7),
+            "{number}: {expected:?}, found {found:?}"
+        );
+    }
+    assert!(met > 400, "{met}");
 }
 
 #[test]
@@ -198,8 +241,16 @@ fn surfaces_of_warped_patterns_have_no_holes() {
     };
     let repeat = Repeat::new(DVec3::X * 0.3, DVec3::Y * 0.2, DVec3::Z);
     let around = Mapping { projection: Projection::Spherical, orientation: DVec3::Z, dist_exp: 1.0 };
+    let abrupt = |falloff: f64, radius: f64, strength: f64| {
+        Warp::BlackHole(Box::new(BlackHole { falloff, radius, strength, ..hole.clone() }))
+    };
     for warp in [
-        Warp::BlackHole(Box::new(hole)),
+        abrupt(0.0, 1.2, 0.6),
+        abrupt(-0.7, 1.2, 0.3),
+        abrupt(0.0, 1.2, -0.6),
+        abrupt(2.0, 0.0, 0.9),
+        abrupt(2.0, -1.0, 0.9),
+        Warp::BlackHole(Box::new(hole.clone())),
         Warp::Repeat(Box::new(repeat)),
         Warp::Mapping(Box::new(around)),
         Warp::Cubic,
