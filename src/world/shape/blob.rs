@@ -3,10 +3,10 @@
 use smallvec::SmallVec;
 
 use super::stretch::Stretch;
-use super::{Crossing, OWN_TEXTURE, Shape};
+use super::{Crossing, OWN_TEXTURE, Shape, uncrossed};
 use crate::math::roots::{between, roots_between, with_discriminant};
 use crate::math::wide::widest;
-use crate::math::{Bounds, DAffine3, DMat3, DVec3, Transform};
+use crate::math::{Band, Bounds, DAffine3, DMat3, DVec3, Transform};
 use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
@@ -349,6 +349,10 @@ impl Shape for Blob {
     fn inside(&self, point: DVec3) -> bool {
         let rounding = 8.0 * f64::EPSILON * self.threshold.abs();
         self.value(point).0 >= -rounding
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        uncrossed::inside_along(self, point)
     }
 
     fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {

@@ -146,6 +146,7 @@ pub struct Curve {
     segments: Vec<Segment>,
     pieces: Vec<Piece>,
     hull: [DVec2; 2],
+    open_ends: Vec<DVec2>,
 }
 
 impl Curve {
@@ -153,7 +154,16 @@ impl Curve {
     pub fn new(segments: Vec<Segment>) -> Self {
         let mut pieces = Vec::new();
         let mut hull = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+        let mut open_ends: Vec<DVec2> = Vec::new();
         for segment in &segments {
+            for end in [segment.point(0.0), segment.point(1.0)] {
+                match open_ends.iter().position(|other| *other == end) {
+                    Some(place) => {
+                        open_ends.swap_remove(place);
+                    }
+                    None => open_ends.push(end),
+                }
+            }
             hull = [hull[0].min(segment.hull[0]), hull[1].max(segment.hull[1])];
             let mut start = (0.0, segment.point(0.0).y);
             let turns = segment.extremes(|p| p.y);
@@ -164,7 +174,7 @@ impl Curve {
                 start = end;
             }
         }
-        Self { segments, pieces, hull }
+        Self { segments, pieces, hull, open_ends }
     }
 
     /// The segments.
@@ -175,6 +185,11 @@ impl Curve {
     /// The box around all.
     pub fn hull(&self) -> [DVec2; 2] {
         self.hull
+    }
+
+    /// The ends of segments at which an odd number of them end.
+    pub(super) fn open_ends(&self) -> &[DVec2] {
+        &self.open_ends
     }
 
     /// Whether the curve crosses the line from `p` towards +x an odd number of times. A point where

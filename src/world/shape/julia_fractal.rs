@@ -62,7 +62,7 @@ pub enum Map {
 
 /// The length of a stretch that isn't divided any more, where bands leave it open whether the surface is met twice or
 /// not at all. The ball's radius is about 2 whatever the size of the object.
-const FINE: f64 = 1e-8;
+const FINE: f64 = 1e-6;
 
 /// As steep as the excess is taken to be where a ray may start on the surface.
 const STEEP: f64 = 1e4;

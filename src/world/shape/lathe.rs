@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 use smallvec::SmallVec;
 
 use super::curve::{Curve, Segment, sign_changes};
-use super::{Crossing, Shape};
+use super::{Crossing, Shape, uncrossed};
 use crate::math::roots::{quadratic, roots_between};
-use crate::math::{Bounds, DVec2, DVec3};
+use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
 /// A profile of radius and height, turned about the y axis.
@@ -218,6 +218,13 @@ impl Shape for Lathe {
 
     fn inside(&self, point: DVec3) -> bool {
         self.profile.encloses(DVec2::new(point.x.hypot(point.z), point.y))
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        match self.profile.open_ends().iter().all(|end| end.x == 0.0) {
+            true => uncrossed::inside_along(self, point),
+            false => Band::between(0.0, 1.0),
+        }
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

@@ -123,9 +123,9 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     }
 
     /// What holds whether points that these hold are [inside](Shape::inside): 1, 0 or both; on the border both. It is
-    /// asked near [`Shape::bounds`] only. Overridden where an equation tells it, also beside lines.
-    fn inside_along(&self, point: &[Band; 3]) -> Band {
-        uncrossed::inside_along(self, point)
+    /// asked near [`Shape::bounds`] only.
+    fn inside_along(&self, _point: &[Band; 3]) -> Band {
+        Band::between(0.0, 1.0)
     }
 
     /// Whether the shape has an inside at all.

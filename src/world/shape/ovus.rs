@@ -3,8 +3,8 @@
 use super::sphere::{Sphere, spherical_uv};
 use super::stretch::{End, Stretch};
 use super::torus::Torus;
-use super::{Crossing, Shape};
-use crate::math::{Bounds, DVec2, DVec3};
+use super::{Crossing, Shape, uncrossed};
+use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
 /// Two balls on the y axis and what lies between them: the inner sheet of a spindle torus that touches
@@ -106,6 +106,10 @@ impl Shape for Ovus {
             && point.y < self.heights[1]
             && around.hypot(point.y - self.middle) < self.band.minor;
         in_band || self.balls().iter().any(|ball| ball.inside(point))
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        uncrossed::inside_along(self, point)
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

@@ -2,9 +2,9 @@
 
 use super::curve::{Curve, Segment, sign_changes};
 use super::stretch::{End, Stretch};
-use super::{Crossing, Shape};
+use super::{Crossing, Shape, uncrossed};
 use crate::math::roots::roots_between;
-use crate::math::{Bounds, DVec2, DVec3};
+use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
 /// An outline in x and z, swept along y or, in a conic one, scaled by y.
@@ -184,6 +184,13 @@ impl Shape for Prism {
     fn inside(&self, point: DVec3) -> bool {
         let [bottom, top] = self.heights;
         bottom <= point.y && point.y < top && self.outline.encloses(self.place(point))
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        match !self.open && self.outline.open_ends().is_empty() {
+            true => uncrossed::inside_along(self, point),
+            false => Band::between(0.0, 1.0),
+        }
     }
 
     /// Walls point to the right of the direction in which their outline runs, seen with z upward.

@@ -3,9 +3,9 @@
 use super::curve::sign_changes;
 use super::lathe::turn;
 use super::stretch::{End, Stretch};
-use super::{Crossing, Shape};
+use super::{Crossing, Shape, uncrossed};
 use crate::math::roots::roots_between;
-use crate::math::{Bounds, DVec2, DVec3};
+use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
 /// About the y axis; the square of the radius is a cubic of the height, segment by segment.
@@ -235,6 +235,13 @@ impl Shape for Sor {
     fn inside(&self, point: DVec3) -> bool {
         let square = point.x * point.x + point.z * point.z;
         self.square_at(point.y).is_some_and(|(_, limit)| square <= limit)
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        match !self.open {
+            true => uncrossed::inside_along(self, point),
+            false => Band::between(0.0, 1.0),
+        }
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

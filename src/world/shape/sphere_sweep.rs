@@ -1,9 +1,9 @@
 //! `sphere_sweep` (docs/spec/primitives.md 6.4).
 
 use super::stretch::Stretch;
-use super::{Crossing, Shape};
+use super::{Crossing, Shape, uncrossed};
 use crate::math::roots::roots_between;
-use crate::math::{Bounds, DVec3, DVec4};
+use crate::math::{Band, Bounds, DVec3, DVec4};
 use crate::world::{Range, Ray};
 
 /// All points of a ball that moves and grows along segments of a spline.
@@ -185,6 +185,10 @@ impl Shape for SphereSweep {
             let depth = segment.depth(point);
             depth[0] >= 0.0 || !roots_between::<7>(&depth, 0.0, 1.0).as_slice().is_empty()
         })
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        uncrossed::inside_along(self, point)
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

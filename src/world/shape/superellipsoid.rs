@@ -1,8 +1,8 @@
 //! `superellipsoid { <east-west, north-south> }` (docs/spec/primitives.md 3.10).
 
 use super::stretch::Stretch;
-use super::{Crossing, Shape};
-use crate::math::{Bounds, DVec3};
+use super::{Crossing, Shape, uncrossed};
+use crate::math::{Band, Bounds, DVec3};
 use crate::world::{Range, Ray};
 
 /// ((|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n))^(n/2) = 1.
@@ -225,6 +225,10 @@ impl Shape for Superellipsoid {
 
     fn inside(&self, point: DVec3) -> bool {
         self.value(point).0 <= NOISE
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        uncrossed::inside_along(self, point)
     }
 
     fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {

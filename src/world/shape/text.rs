@@ -2,8 +2,8 @@
 
 use super::curve::Curve;
 use super::prism::Prism;
-use super::{Crossing, Shape};
-use crate::math::{Bounds, DVec2, DVec3};
+use super::{Crossing, Shape, uncrossed};
+use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
@@ -96,6 +96,10 @@ impl Shape for Text {
             let [low, high] = glyph.prism.heights;
             low <= point.y && point.y <= high && glyph.prism.outline.encloses(DVec2::new(point.x, point.z))
         })
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        uncrossed::inside_along(self, point)
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

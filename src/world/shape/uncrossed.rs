@@ -11,7 +11,8 @@ const BESIDE: f64 = 1e-12;
 /// By how much of itself a line is looked at beyond its ends.
 const BEYOND: f64 = 1e-6;
 
-/// What holds whether points are inside: where nothing is crossed on the way between them, all are if one is.
+/// What holds whether points are inside a shape all of whose border is surface: where nothing is crossed on the way
+/// between them, all are if one is.
 pub(super) fn inside_along(shape: &(impl Shape + ?Sized), point: &[Band; 3]) -> Band {
     let numbers = |of: &dyn Fn(&Band) -> f64| DVec3::from_array(point.each_ref().map(of));
     let mut low = Lanes::ZERO;
@@ -22,8 +23,9 @@ pub(super) fn inside_along(shape: &(impl Shape + ?Sized), point: &[Band; 3]) -> 
         let reach = numbers(&|band| band.reach.0[lane]);
         // What is spread wide, or is no number, is anywhere; so is a line that is shorter than it is wide.
         let wide = BESIDE * (middle.abs() + along.abs()).max_element();
-        let is_line = reach.max_element() <= wide && along.abs().max_element() > wide;
-        if !is_line || !(middle.is_finite() && along.is_finite() && reach.is_finite()) {
+        let is_known = middle.is_finite() && along.is_finite() && reach.is_finite();
+        let is_line = is_known && reach.max_element() <= wide && along.abs().max_element() > wide;
+        if !is_line {
             continue;
         }
         let range = Range { min: -1.0 - BEYOND, max: 1.0 + BEYOND };

@@ -1,9 +1,12 @@
 //! `mesh` and `mesh2` (docs/spec/primitives.md 4.3, 4.4).
 
+use std::collections::HashSet;
+use std::sync::OnceLock;
+
 use super::triangle::{Meeting, Sheared, blend, face_normal};
-use super::{Crossing, Shape};
+use super::{Crossing, Shape, uncrossed};
 use crate::math::wide::widest;
-use crate::math::{Bounds, DVec2, DVec3, tally};
+use crate::math::{Band, Bounds, DVec2, DVec3, tally};
 use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
@@ -22,6 +25,8 @@ pub struct Mesh {
     bounds: Bounds,
     bvh: Bvh,
     inside: Option<DVec3>,
+    /// Whether an even number of faces meet at each edge, once that was asked.
+    closed: OnceLock<bool>,
 }
 
 /// What the faces of a [`Mesh`] refer to.
@@ -113,7 +118,22 @@ impl Mesh {
         let textures = Column::new(faces, &order, |face| face.textures);
         let faces = order.into_iter().map(|i| face(&faces[i as usize]).vertices).collect();
         let inside = inside.filter(|direction| *direction != DVec3::ZERO);
-        Some(Self { bvh, lists, faces, normals, uvs, textures, bounds, inside })
+        Some(Self { bvh, lists, faces, normals, uvs, textures, bounds, inside, closed: OnceLock::new() })
+    }
+
+    fn is_closed(&self) -> bool {
+        *self.closed.get_or_init(|| {
+            let mut odd = HashSet::new();
+            for &[a, b, c] in &self.faces {
+                for (p, q) in [(a, b), (b, c), (c, a)] {
+                    let edge = (p.min(q), p.max(q));
+                    if !odd.insert(edge) {
+                        odd.remove(&edge);
+                    }
+                }
+            }
+            odd.is_empty()
+        })
     }
 
     /// Calls back with every face that the ray meets in `range`, roughly the nearest first; the
@@ -243,6 +263,13 @@ impl Shape for Mesh {
         let mut counts =
             nearby.map(|turn| Ray::new(point, direction + turn)).into_iter().map(|ray| self.parity(&ray));
         counts.find(|(_, grazing)| !grazing).map_or(odd, |(odd, _)| odd)
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        match self.is_closed() {
+            true => uncrossed::inside_along(self, point),
+            false => Band::between(0.0, 1.0),
+        }
     }
 
     fn is_solid(&self) -> bool {
