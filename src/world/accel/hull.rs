@@ -2,7 +2,7 @@
 
 use smallvec::SmallVec;
 
-use crate::math::{Bounds, DVec3};
+use crate::math::{Bounds, DVec3, Lanes};
 
 /// Distances by which shapes miss each other less than this, relative to the coordinates, may be
 /// the work of rounding.
@@ -18,27 +18,44 @@ pub struct Hull {
     bounds: Bounds,
     /// Directions in which the hull may be apart from a box that its own bounds meet, and from where to
     /// where it reaches along them.
-    axes: [(DVec3, [f64; 2]); 10],
+    axes: [Axes; GROUPS],
 }
+
+/// Four directions and from where to where a hull reaches along them.
+#[derive(Clone, Copy, Debug)]
+struct Axes {
+    direction: [Lanes; 3],
+    reach: [Lanes; 2],
+}
+
+/// Ten directions are three times four; along those that are missing, of no length, nothing is apart.
+const GROUPS: usize = 3;
 
 impl Hull {
     /// The hull of at least three finite points.
     pub fn new(points: Points) -> Self {
         let sides = [points[1] - points[0], points[2] - points[0], points[2] - points[1]];
-        let mut axes = [(sides[0].cross(sides[1]), [f64::INFINITY, f64::NEG_INFINITY]); 10];
+        let across = sides[0].cross(sides[1]).to_array();
+        let nothing = Axes {
+            direction: [Lanes::ZERO; 3],
+            reach: [Lanes::splat(f64::INFINITY), Lanes::splat(f64::NEG_INFINITY)],
+        };
+        let mut axes = [nothing; GROUPS];
         // Loops throughout: closures for arrays are not compiled together with what is around them.
-        for (number, side) in sides.into_iter().enumerate() {
-            axes[3 * number + 1].0 = DVec3::new(0.0, side.z, -side.y);
-            axes[3 * number + 2].0 = DVec3::new(-side.z, 0.0, side.x);
-            axes[3 * number + 3].0 = DVec3::new(side.y, -side.x, 0.0);
+        for (group, side) in sides.into_iter().enumerate() {
+            let [x, y, z] = &mut axes[group].direction;
+            let normal = if group == 0 { across } else { [0.0; 3] };
+            *x = Lanes([normal[0], 0.0, -side.z, side.y]);
+            *y = Lanes([normal[1], side.z, 0.0, -side.x]);
+            *z = Lanes([normal[2], -side.y, side.x, 0.0]);
         }
         let mut bounds = Bounds::EMPTY;
         for &point in &points {
             bounds = Bounds { min: bounds.min.min(point), max: bounds.max.max(point) };
-            for (axis, [low, high]) in &mut axes {
-                let place = point.dot(*axis);
-                *low = if place < *low { place } else { *low };
-                *high = if place > *high { place } else { *high };
+            for Axes { direction: [x, y, z], reach: [low, high] } in &mut axes {
+                let place = *x * point.x + *y * point.y + *z * point.z;
+                *low = place.zip(*low, |place, low| if place < low { place } else { low });
+                *high = place.zip(*high, |place, high| if place > high { place } else { high });
             }
         }
         Self { bounds, axes, points }
@@ -75,15 +92,20 @@ impl Hull {
         if !bounds.is_finite() {
             return true;
         }
-        let (center, half) = (bounds.center(), bounds.size() / 2.0);
+        let center = bounds.center();
         let blur = self.blur() + BLUR * center.abs().max_element();
-        self.axes.iter().all(|(axis, [low, high])| {
-            let size = axis.abs();
-            // No axis is longer than the sum of its components.
-            let reach = half.dot(size) + blur * size.element_sum();
-            let place = center.dot(*axis);
-            !(*low > place + reach || *high < place - reach)
-        })
+        // No direction is longer than the sum of its components.
+        let half = bounds.size() / 2.0 + blur;
+        for Axes { direction: [x, y, z], reach: [low, high] } in &self.axes {
+            let reach = x.abs() * half.x + y.abs() * half.y + z.abs() * half.z;
+            let place = *x * center.x + *y * center.y + *z * center.z;
+            let gap = (*low - place)
+                .zip(place - *high, |before, behind| if before > behind { before } else { behind });
+            if (gap - reach).bits(|gap| gap > 0.0) != 0 {
+                return false;
+            }
+        }
+        true
     }
 }
 

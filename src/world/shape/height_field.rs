@@ -50,7 +50,7 @@ const UNSURE: f64 = 1e-6;
 /// How far beside its cells a ray is looked for, in cells, and as a share of its distances.
 const BESIDE: [f64; 2] = [1e-9, 1e-12];
 
-/// Samples that make a height of 1.
+/// Samples that make a height of 1; its reciprocal is exact.
 const FULL: f64 = 65536.0;
 
 /// Steps of a stored normal.
@@ -86,7 +86,7 @@ impl HeightField {
     /// The point of the surface at a sample.
     #[inline(always)]
     fn corner(&self, x: usize, z: usize) -> DVec3 {
-        DVec3::new(self.places[0][x], self.height(x, z) / FULL, self.places[1][z])
+        DVec3::new(self.places[0][x], self.height(x, z) * FULL.recip(), self.places[1][z])
     }
 
     /// The cells of a block along x and z.
@@ -158,11 +158,13 @@ impl HeightField {
     fn triangle(&self, part: u32) -> [DVec3; 3] {
         let (cell, far) = (part as usize / 2, part % 2 == 1);
         let (x, z) = (cell % self.size[0], cell / self.size[0]);
-        let near = if far { (x + 1, z + 1) } else { (x, z) };
-        [near, (x + 1, z), (x, z + 1)].map(|(x, z)| self.corner(x, z))
+        // No closure for an array: that is not compiled together with what is around it.
+        let first = if far { self.corner(x + 1, z + 1) } else { self.corner(x, z) };
+        [first, self.corner(x + 1, z), self.corner(x, z + 1)]
     }
 
     /// Calls back with everything a ray meets above the water; the answer is a new upper end.
+    #[inline(always)]
     fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(u32, Meeting) -> Option<f64>) {
         widest(
             #[inline(always)]
@@ -183,12 +185,13 @@ impl HeightField {
                                 // Two triangles, as in `triangle`.
                                 let cell = (z * self.size[0] + x) as u32;
                                 let (right, far) = (self.corner(x + 1, z), self.corner(x, z + 1));
+                                let diagonal = sheared.base(right, far);
                                 for (near, part) in [((x, z), 2 * cell), ((x + 1, z + 1), 2 * cell + 1)] {
-                                    let corners = [self.corner(near.0, near.1), right, far];
-                                    let Some(hit) = sheared.meet(corners) else { continue };
+                                    let near = self.corner(near.0, near.1);
+                                    let Some(hit) = sheared.meet_over(&diagonal, near) else { continue };
                                     // The triangle's own height: the ray's would fray what lies level with the
                                     // water.
-                                    let is_above = || blend(corners, hit.at).y >= self.water;
+                                    let is_above = || blend([near, right, far], hit.at).y >= self.water;
                                     if range.min < hit.t && hit.t < max && is_above() {
                                         max = found(part, hit).unwrap_or(max);
                                     }
@@ -204,7 +207,7 @@ impl HeightField {
 
     /// A ray as the grid sees it.
     fn way(&self, ray: &Ray) -> Way {
-        let scale = self.size.map(|samples| (samples - 1) as f64);
+        let scale = [(self.size[0] - 1) as f64, (self.size[1] - 1) as f64];
         let (along_x, along_z) = (ray.direction.x * scale[0], ray.direction.z * scale[1]);
         Way {
             x: ray.origin.x * scale[0],
@@ -275,6 +278,15 @@ impl Shape for HeightField {
             Some(hit.t)
         });
         nearest
+    }
+
+    fn occludes(&self, ray: &Ray, range: Range) -> bool {
+        let mut hidden = false;
+        self.walk(ray, range, |_, _| {
+            hidden = true;
+            Some(f64::NEG_INFINITY)
+        });
+        hidden
     }
 
     /// Below the surface without end, and below the water everywhere.

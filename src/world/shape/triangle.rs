@@ -54,6 +54,15 @@ pub(super) struct Sheared {
     shear: DVec3,
 }
 
+/// An edge of triangles in the space of a ray.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Base {
+    b: DVec3,
+    c: DVec3,
+    /// Twice the signed area between the edge and the ray.
+    area: f64,
+}
+
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Meeting {
@@ -150,11 +159,24 @@ impl Sheared {
         (0..N).fold(0, |mask, lane| mask | u32::from(!(below[lane] && above[lane])) << lane)
     }
 
+    /// Where the ray meets a triangle.
     #[inline(always)]
-    pub(super) fn meet(&self, corners: [DVec3; 3]) -> Option<Meeting> {
-        let [a, b, c] = corners;
-        let (a, b, c) = (self.corner(a), self.corner(b), self.corner(c));
-        let weights = [edge(b, c), edge(c, a), edge(a, b)];
+    pub(super) fn meet(&self, [a, b, c]: [DVec3; 3]) -> Option<Meeting> {
+        self.meet_over(&self.base(b, c), a)
+    }
+
+    /// The edge between the second and the third corner, which another triangle may have as well.
+    #[inline(always)]
+    pub(super) fn base(&self, b: DVec3, c: DVec3) -> Base {
+        let (b, c) = (self.corner(b), self.corner(c));
+        Base { b, c, area: edge(b, c) }
+    }
+
+    /// Where the ray meets the triangle over an edge whose first corner is `a`.
+    #[inline(always)]
+    pub(super) fn meet_over(&self, base: &Base, a: DVec3) -> Option<Meeting> {
+        let (a, Base { b, c, area }) = (self.corner(a), *base);
+        let weights = [area, edge(c, a), edge(a, b)];
         let some = |wanted: fn(&f64) -> bool| weights.iter().any(wanted);
         if some(|w| *w < 0.0) && some(|w| *w > 0.0) {
             return None;
