@@ -35,7 +35,7 @@ impl Flattener<'_> {
                 .as_ref()
                 .map_or(Bounds::EMPTY, |shape| placed(self.extent(shape), object.transform.as_deref())),
             Shape::LightGroup(group) => self.union(group.objects.iter().map(|object| &**object)),
-            primitive => match self.primitive(primitive, object, None) {
+            primitive => match self.primitive(primitive, object, None, false) {
                 Ok(compiled) => {
                     let own = compiled.primitive.extent();
                     placed(placed(own, compiled.transform.as_ref()), object.transform.as_deref())

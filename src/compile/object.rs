@@ -27,7 +27,7 @@ const MORE: usize = 1 << 20;
 
 /// Big primitives that several objects share, by the identity of their description, which is kept so that
 /// its address stays its own.
-pub(super) type ShapeCache = FxHashMap<(*const (), u64), (Shape, Compiled)>;
+pub(super) type ShapeCache = FxHashMap<(*const (), u64, bool), (Shape, Compiled)>;
 
 impl Flattener<'_> {
     /// What an object has, of its own or inherited.
@@ -99,7 +99,7 @@ impl Flattener<'_> {
 
     fn leaf(&mut self, primitive: &Shape, object: &Object, own: &Inherited) -> Option<Member> {
         let outer = own.inner(object);
-        let compiled = match self.primitive(primitive, object, outer.as_deref()) {
+        let compiled = match self.primitive(primitive, object, outer.as_deref(), own.asked) {
             Ok(compiled) => compiled,
             Err(unsupported) => {
                 self.flat.unsupported.push(unsupported);
@@ -192,25 +192,32 @@ impl Flattener<'_> {
         primitive: &Shape,
         object: &Object,
         outer: Option<&Transform>,
+        asked: bool,
     ) -> Result<Compiled, Unsupported> {
         let enlarged = outer.map_or(1.0, |outer| enlargement(primitive, outer));
-        let Some(identity) = identity(primitive, enlarged) else {
-            return self.compile(primitive, object, enlarged);
+        let Some(identity) = identity(primitive, enlarged, asked) else {
+            return self.compile(primitive, object, enlarged, asked);
         };
         if let Some((_, compiled)) = self.shapes.get(&identity) {
             return Ok(compiled.clone());
         }
-        let compiled = self.compile(primitive, object, enlarged)?;
+        let compiled = self.compile(primitive, object, enlarged, asked)?;
         self.shapes.insert(identity, (primitive.clone(), compiled.clone()));
         Ok(compiled)
     }
 
-    fn compile(&self, primitive: &Shape, object: &Object, enlarged: f64) -> Result<Compiled, Unsupported> {
+    fn compile(
+        &self,
+        primitive: &Shape,
+        object: &Object,
+        enlarged: f64,
+        asked: bool,
+    ) -> Result<Compiled, Unsupported> {
         let inside = |object: &Arc<Object>| inside_of(object, self.settings);
         let mut functions = TextureCompiler::new(self.settings).with_objects(&inside);
         match primitive {
             Shape::HeightField(field) => shape::height_field::height_field(field, &mut functions),
-            Shape::Isosurface(surface) => shape::isosurface::isosurface(surface, &mut functions),
+            Shape::Isosurface(surface) => shape::isosurface::isosurface(surface, asked, &mut functions),
             Shape::Parametric(surface) => shape::parametric::parametric(surface, &mut functions),
             Shape::Text(text) => shape::text::text(text, object.span),
             Shape::BicubicPatch(patch) => Ok(shape::bicubic_patch(patch, enlarged)),
@@ -232,9 +239,9 @@ fn enlargement(primitive: &Shape, outer: &Transform) -> f64 {
     }
 }
 
-/// What the copies of a big primitive share: where its description is, and the bits of how many times
-/// it is enlarged.
-fn identity(primitive: &Shape, enlarged: f64) -> Option<(*const (), u64)> {
+/// What the copies of a big primitive share: where its description is, the bits of how many times it is enlarged,
+/// and, of an isosurface, whether something asks for points inside.
+fn identity(primitive: &Shape, enlarged: f64, asked: bool) -> Option<(*const (), u64, bool)> {
     let description = match primitive {
         Shape::Mesh(mesh) => Arc::as_ptr(mesh).cast(),
         Shape::HeightField(field) => Arc::as_ptr(field).cast(),
@@ -245,7 +252,8 @@ fn identity(primitive: &Shape, enlarged: f64) -> Option<(*const (), u64)> {
         Shape::Parametric(surface) => Arc::as_ptr(surface).cast(),
         _ => return None,
     };
-    Some((description, enlarged.to_bits()))
+    let asked = asked && matches!(primitive, Shape::Isosurface(_));
+    Some((description, enlarged.to_bits(), asked))
 }
 
 /// The textures that parts of a primitive refer to by number.
