@@ -18,7 +18,7 @@ use crate::scene::{Object, Shape, Texture};
 use crate::world::extent::{Extent, around_rounding, half_space};
 use crate::world::narrow;
 use crate::world::object::{LeafFlags, Numbered};
-use crate::world::shape::Shape as _;
+use crate::world::shape::{Primitive, Shape as _};
 use crate::world::{Leaf, Member, RayKind};
 
 /// Stack that must be left for one more level, and how much more there is when it isn't.
@@ -168,9 +168,29 @@ impl Flattener<'_> {
             lights: own.lights,
             origin: self.flat.spans.len() as u32 - 1,
         };
+        self.settle(&mut leaf);
         leaf.bounds = Some(Box::new(self.narrowed(&leaf, extent)));
         self.flat.parts.leaves.push(leaf);
         Some(Member::Leaf(self.flat.parts.leaves.len() as u32 - 1))
+    }
+
+    /// Tells a primitive in which ball it is clipped or bounded.
+    fn settle(&self, leaf: &mut Leaf) {
+        let Some(limits) = &leaf.limits else { return };
+        let limits = limits.clips.iter().chain(&limits.bounds).map(|&limit| self.flat.parts.extent(limit));
+        let Extent { bounds, beyond: false } = Extent::intersection(limits) else { return };
+        if !bounds.is_finite() || bounds.is_empty() {
+            return;
+        }
+        let center = leaf.inner_point(bounds.center());
+        let far = |corner: DVec3| leaf.inner_point(corner).distance(center);
+        let radius = bounds.corners().into_iter().map(far).fold(0.0, f64::max);
+        if let Primitive::Other(shape) = &leaf.primitive
+            && radius.is_finite()
+            && let Some(shape) = shape.at_home_in(center, radius)
+        {
+            leaf.primitive = Primitive::Other(shape);
+        }
     }
 
     /// A box around what clips leave of a leaf with this extent.

@@ -3,7 +3,7 @@
 use super::hit::{Geometry, Hit};
 use super::object::Leaf;
 use super::ray::Ray;
-use super::shape::Shape;
+use super::shape::{Primitive, Shape};
 use crate::math::{DVec2, DVec3, tally};
 
 /// A point of a surface, as shading sees it.
@@ -100,8 +100,14 @@ fn details(leaf: &Leaf, ray: &Ray, hit: &Hit) -> [DVec3; 4] {
     let inner = inner_ray.at(hit.t);
     let outer = |inner| leaf.transform.as_ref().map_or(inner, |transform| transform.point(inner));
     if leaf.primitive.is_simple() {
-        let inner = leaf.primitive.reproject(inner, &hit.crossing);
-        let (point, normal) = (outer(inner), leaf.outer_normal(leaf.primitive.normal(inner, &hit.crossing)));
+        let (inner, normal) = leaf.primitive.touched(inner, &hit.crossing);
+        let (point, normal) = (outer(inner), leaf.outer_normal(normal));
+        return [point, point, normal, normal];
+    }
+    if let Primitive::Other(shape) = &leaf.primitive
+        && let Some((inner, normal)) = shape.touched(inner, &hit.crossing)
+    {
+        let (point, normal) = (outer(inner), leaf.outer_normal(normal));
         return [point, point, normal, normal];
     }
     let inner = leaf.primitive.reproject(inner, &hit.crossing);

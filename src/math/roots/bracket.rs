@@ -1,6 +1,55 @@
-//! A root of any continuous function between two points where its signs differ.
+//! A root of any function between two points where its signs differ.
 
-/// The root between `from` and `to`, each an argument with its value, to the last bits.
+/// The root between `from` and `to`, each an argument with its value, of what has the value and slope that
+/// `value` gives and rises or falls all the way; `None` where the signs at the ends don't differ.
+///
+/// Newton's method, with bisection where it would leave the bracket or does not halve its step.
+#[inline(always)]
+pub(super) fn newton(from: (f64, f64), to: (f64, f64), value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
+    if from.1 == 0.0 || to.1 == 0.0 || (from.1 < 0.0) == (to.1 < 0.0) {
+        return None;
+    }
+    let (mut low, mut high) = (from.0, to.0);
+    let rising = from.1 < 0.0;
+    let width = high - low;
+    // Where the chord crosses, but not at an end: roots there are found as fast from anywhere.
+    let share = (from.1 / (from.1 - to.1)).clamp(1.0 / 64.0, 63.0 / 64.0);
+    let mut x = low + width * if share.is_nan() { 0.5 } else { share };
+    let (mut last_step, mut was_newton) = (width, false);
+    loop {
+        let (height, slope) = value(x);
+        if height == 0.0 {
+            return Some(x);
+        }
+        if (height < 0.0) == rising {
+            low = x;
+        } else {
+            high = x;
+        }
+        let fine = f64::EPSILON * 0.5 * x.abs();
+        let mut next = x - height / slope;
+        let step = (next - x).abs();
+        // A step out of the bracket, or one that doesn't halve the last, gives way to bisection.
+        let is_newton = next > low && next < high && step <= 0.5 * last_step;
+        if is_newton {
+            // What is left is to this step as its square to that of the last: less than anything can tell.
+            if was_newton && step * step * step <= fine * last_step * last_step {
+                return Some(next);
+            }
+        } else {
+            next = low + (high - low) * 0.5;
+        }
+        was_newton = is_newton;
+        last_step = (next - x).abs();
+        if last_step <= fine || next <= low || next >= high {
+            return Some(next);
+        }
+        x = next;
+    }
+}
+
+/// The root between `from` and `to`, each an argument with its value, to the last bits, of any continuous
+/// function.
 ///
 /// Chandrupatla's method: inverse quadratic interpolation where it can be trusted, else bisection.
 /// Zero counts as negative.

@@ -1,13 +1,17 @@
 //! Roots told apart by the signs of Bernstein coefficients (Descartes' rule: no change of sign, no
 //! root; one change, one root).
 
-use super::polynomial::bracketed;
+use smallvec::SmallVec;
+
+use super::bracket::newton;
+use super::polynomial::value_and_slope;
 
 /// Intervals are divided at most this often to part neighbouring roots.
 const HALVINGS: u32 = 10;
 
 /// How a search for roots ended.
-pub(super) enum Search {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Search {
     /// All wanted roots were found.
     Done,
     /// Nobody wants more of them.
@@ -32,8 +36,72 @@ pub(super) fn each_isolated<const L: usize>(
     if !noise.is_finite() {
         return Search::Doubt(low);
     }
-    let place = Stretch { low, width, from: 0.0, share: 1.0 };
-    Isolation { c, noise, wanted, found }.search(&b, place, HALVINGS)
+    each_told_apart(
+        &b,
+        noise,
+        [low, high],
+        wanted,
+        #[inline(always)]
+        |t| value_and_slope(c, t),
+        found,
+    )
+}
+
+/// Calls back with the roots of a polynomial in `[low, high]`, where it has the Bernstein coefficients `b`, each
+/// known up to `noise`, as [`each_root`](super::each_root) does. `value` gives its value and slope.
+#[inline(always)]
+pub fn each_told_apart<const L: usize>(
+    b: &[f64; L],
+    noise: f64,
+    [low, high]: [f64; 2],
+    wanted: [f64; 2],
+    value: impl Fn(f64) -> (f64, f64),
+    found: &mut (impl FnMut(f64) -> bool + ?Sized),
+) -> Search {
+    // What comes after the stretch at hand, the next of it last.
+    let mut later = SmallVec::<[_; HALVINGS as usize]>::new();
+    let (mut b, mut halvings) = (*b, HALVINGS);
+    let mut place = Stretch { low, width: high - low, from: 0.0, share: 1.0 };
+    loop {
+        let ends = [place.at(0.0), place.at(1.0)];
+        if ends[0] > wanted[1] {
+            return Search::Stopped;
+        }
+        let (mut changes, mut least) = (0, b[0].abs());
+        for i in 1..L {
+            changes += u32::from((b[i - 1] < 0.0) != (b[i] < 0.0));
+            least = least.min(b[i].abs());
+        }
+        let certain = least > noise;
+        let is_over = ends[1] < wanted[0] || certain && changes == 0;
+        if !is_over {
+            let is_lost = b[0].abs() <= noise || b[L - 1].abs() <= noise;
+            if is_lost || halvings == 0 && !(certain && changes == 1) {
+                return Search::Doubt(ends[0]);
+            }
+            if !(certain && changes == 1) {
+                // Between two roots, if there are two, else anywhere: in the middle.
+                let share = if changes == 2 { far_side(&b) } else { 0.5 };
+                let (left, right) = divided(&b, share);
+                let first = Stretch { share: share * place.share, ..place };
+                let second =
+                    Stretch { from: first.from + first.share, share: place.share - first.share, ..place };
+                halvings -= 1;
+                later.push((right, second, halvings));
+                (b, place) = (left, first);
+                continue;
+            }
+            match newton((ends[0], b[0]), (ends[1], b[L - 1]), &value) {
+                Some(root) if found(root) => {}
+                Some(_) => return Search::Stopped,
+                None => return Search::Doubt(ends[0]),
+            }
+        }
+        match later.pop() {
+            Some(next) => (b, place, halvings) = next,
+            None => return Search::Done,
+        }
+    }
 }
 
 /// How many times the rounding errors of its values a polynomial must rise beside a zero to be known
@@ -43,7 +111,13 @@ const STEEP: f64 = 1e4;
 /// Whether a polynomial with the coefficients `c` has a root between `low` and `high`; a zero at `low`
 /// itself is none. `None` where rounding or roots close together leave doubt.
 pub fn any_between<const L: usize>(c: &[f64; L], low: f64, high: f64) -> Option<bool> {
-    let (mut b, noise) = bernstein(c, low, high - low);
+    let (b, noise) = bernstein(c, low, high - low);
+    any_told_apart(b, noise)
+}
+
+/// The same of one that has the Bernstein coefficients `b`, each known up to `noise`.
+#[inline(always)]
+pub fn any_told_apart<const L: usize>(mut b: [f64; L], noise: f64) -> Option<bool> {
     if !noise.is_finite() {
         return None;
     }
@@ -127,59 +201,6 @@ impl Stretch {
     #[inline(always)]
     fn at(&self, share: f64) -> f64 {
         self.low + self.width * (self.from + self.share * share)
-    }
-}
-
-/// A search for the roots of a polynomial.
-struct Isolation<'a, const L: usize> {
-    c: &'a [f64; L],
-    /// What rounding may have done to a Bernstein coefficient.
-    noise: f64,
-    wanted: [f64; 2],
-    found: &'a mut dyn FnMut(f64) -> bool,
-}
-
-impl<const L: usize> Isolation<'_, L> {
-    /// Calls back with the roots on a stretch with the Bernstein coefficients `b`.
-    fn search(&mut self, b: &[f64; L], place: Stretch, halvings: u32) -> Search {
-        let ends = [place.at(0.0), place.at(1.0)];
-        if ends[1] < self.wanted[0] {
-            return Search::Done;
-        }
-        if ends[0] > self.wanted[1] {
-            return Search::Stopped;
-        }
-        let (mut changes, mut least) = (0, b[0].abs());
-        for i in 1..L {
-            changes += u32::from((b[i - 1] < 0.0) != (b[i] < 0.0));
-            least = least.min(b[i].abs());
-        }
-        let certain = least > self.noise;
-        if certain && changes == 0 {
-            return Search::Done;
-        }
-        if b[0].abs() <= self.noise || b[L - 1].abs() <= self.noise {
-            return Search::Doubt(ends[0]);
-        }
-        if certain && changes == 1 {
-            return match bracketed(self.c, (ends[0], b[0]), (ends[1], b[L - 1])) {
-                Some(root) if (self.found)(root) => Search::Done,
-                Some(_) => Search::Stopped,
-                None => Search::Doubt(ends[0]),
-            };
-        }
-        if halvings == 0 {
-            return Search::Doubt(ends[0]);
-        }
-        // Between two roots, if there are two, else anywhere: in the middle.
-        let share = if changes == 2 { far_side(b) } else { 0.5 };
-        let (left, right) = divided(b, share);
-        let first = Stretch { share: share * place.share, ..place };
-        let second = Stretch { from: first.from + first.share, share: place.share - first.share, ..place };
-        match self.search(&left, first, halvings - 1) {
-            Search::Done => self.search(&right, second, halvings - 1),
-            other => other,
-        }
     }
 }
 

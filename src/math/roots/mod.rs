@@ -9,7 +9,7 @@ mod polynomial;
 mod unbounded;
 
 pub use bracket::between;
-pub use descartes::any_between;
+pub use descartes::{Search, any_between, any_told_apart, each_told_apart};
 pub use polynomial::{Roots, bracketed, each_root, roots_between};
 
 /// `a b - c d` with an error below 2 units in the last place (Kahan; Jeannerod et al. 2013).

@@ -1,5 +1,6 @@
 //! Bracketed Newton on the monotone stretches of a polynomial (Yuksel, High Performance Graphics 2022).
 
+use super::bracket::newton;
 use super::descartes::{Search, each_isolated};
 use super::unbounded::{bounds, unbounded};
 
@@ -198,7 +199,7 @@ pub(super) fn value(c: &[f64], x: f64) -> f64 {
 }
 
 #[inline(always)]
-fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
+pub(super) fn value_and_slope(c: &[f64], x: f64) -> (f64, f64) {
     let (mut value, mut slope, mut i) = (0.0, 0.0, c.len());
     while i > 0 {
         i -= 1;
@@ -219,46 +220,12 @@ pub(super) fn value_above_noise(c: &[f64], x: f64) -> f64 {
 /// each an argument with its value.
 #[inline(always)]
 pub fn bracketed(c: &[f64], from: (f64, f64), to: (f64, f64)) -> Option<f64> {
-    if from.1 == 0.0 || to.1 == 0.0 || (from.1 < 0.0) == (to.1 < 0.0) {
-        return None;
-    }
-    let (mut low, mut high) = (from.0, to.0);
-    let rising = from.1 < 0.0;
-    let width = high - low;
-    // Where the chord crosses, but not at an end: roots there are found as fast from anywhere.
-    let share = (from.1 / (from.1 - to.1)).clamp(1.0 / 64.0, 63.0 / 64.0);
-    let mut x = low + width * if share.is_nan() { 0.5 } else { share };
-    let (mut last_step, mut was_newton) = (width, false);
-    loop {
-        let (value, slope) = value_and_slope(c, x);
-        if value == 0.0 {
-            return Some(x);
-        }
-        if (value < 0.0) == rising {
-            low = x;
-        } else {
-            high = x;
-        }
-        let fine = f64::EPSILON * 0.5 * x.abs();
-        let mut next = x - value / slope;
-        let step = (next - x).abs();
-        // A step out of the bracket, or one that doesn't halve the last, gives way to bisection.
-        let is_newton = next > low && next < high && step <= 0.5 * last_step;
-        if is_newton {
-            // What is left is to this step as its square to that of the last: less than anything can tell.
-            if was_newton && step * step * step <= fine * last_step * last_step {
-                return Some(next);
-            }
-        } else {
-            next = low + (high - low) * 0.5;
-        }
-        was_newton = is_newton;
-        last_step = (next - x).abs();
-        if last_step <= fine || next <= low || next >= high {
-            return Some(next);
-        }
-        x = next;
-    }
+    newton(
+        from,
+        to,
+        #[inline(always)]
+        |x| value_and_slope(c, x),
+    )
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use crate::world::accel::Slabs;
 use crate::world::object::{Leaf, LeafFlags, Member, RayKind};
 use crate::world::parts::{Group, Operation, Parts};
 use crate::world::ray::{Range, Ray};
-use crate::world::shape::Shape;
+use crate::world::shape::{Primitive, Shape};
 
 /// A ray on its way through a tree.
 #[derive(Clone, Copy)]
@@ -71,14 +71,16 @@ impl Parts {
         }))
     }
 
-    /// The nearest crossing of a leaf of which `bounded_by` may keep rays, but nothing cuts a part.
-    pub(super) fn nearest_of_bounded(
+    /// What a leaf is asked of which `bounded_by` may keep rays, but nothing cuts a part.
+    #[inline]
+    pub(super) fn ask_bounded<R>(
         &self,
         number: u32,
         ray: &Ray,
         range: Range,
         kind: RayKind,
-    ) -> Option<Found> {
+        ask: impl FnOnce(&Primitive, &Ray, Range) -> Option<R>,
+    ) -> Option<R> {
         let (leaf, member) = (self.leaf(number), Member::Leaf(number));
         if leaf.hidden.intersects(kind) {
             return None;
@@ -97,8 +99,43 @@ impl Parts {
         if !self.admits(member, ray) {
             return None;
         }
-        let crossing = leaf.primitive.nearest(&leaf.asked(ray), inner)?;
-        Some(Found { crossing, leaf: number, near: 0 })
+        ask(&leaf.primitive, &leaf.asked(ray), inner)
+    }
+
+    /// The nearest point of a leaf's surface where only convex solids cut it; `None` where these are not, or too near
+    /// to it to tell.
+    pub(super) fn nearest_of_clipped(
+        &self,
+        number: u32,
+        ray: &Ray,
+        range: Range,
+        kind: RayKind,
+    ) -> Option<Option<Found>> {
+        let leaf = self.leaf(number);
+        let limits = leaf.limits.as_deref()?;
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        for &clip in &limits.clips {
+            let Member::Leaf(clip) = clip else { return None };
+            let clip = self.leaf(clip);
+            if !clip.is_convex() || clip.flags.contains(LeafFlags::INVERTED) {
+                return None;
+            }
+            let Some(span) = clip.primitive.span(&clip.asked(ray)) else { return Some(None) };
+            (enter, leave) = (enter.max(span.enter.t), leave.min(span.leave.t));
+        }
+        let room = |t: f64| {
+            let scale = ray.origin.abs().max(ray.at(t).abs()).max_element();
+            if t.is_finite() { 4.0 * COARSE * scale / ray.direction.length() } else { 0.0 }
+        };
+        let (before, behind) = (room(enter), room(leave));
+        let near = Range { min: range.min.max(enter - before), max: range.max.min(leave + behind) };
+        let is_asked = near.min < near.max && !leaf.hidden.intersects(kind);
+        if !is_asked || !self.admits(Member::Leaf(number), ray) {
+            return Some(None);
+        }
+        let Some(crossing) = leaf.primitive.nearest(&leaf.asked(ray), near) else { return Some(None) };
+        let is_clear = crossing.t > enter + before && crossing.t < leave - behind;
+        is_clear.then_some(Some(Found { crossing, leaf: number, near: 0 }))
     }
 
     /// Adds a member and everything of it that is near the ray. Answers how to tell its inside.
@@ -264,9 +301,9 @@ impl Parts {
                 && let leaf = self.leaf(number)
                 && leaf.limits.is_none()
                 && !leaf.flags.contains(LeafFlags::INVERTED)
-                && let Some(stretch) = leaf.primitive.convex(&leaf.asked(ray))
+                && leaf.primitive.is_convex()
             {
-                return stretch.is_some_and(|stretch| stretch.leave.t >= 0.0);
+                return leaf.primitive.span(&leaf.asked(ray)).is_some_and(|span| span.leave.t >= 0.0);
             }
             self.inside(bound, ray.origin)
                 || self.nearest(bound, ray, Range::AHEAD, RayKind::empty()).is_some()

@@ -20,7 +20,7 @@ use survive::Tree;
 use super::object::{Member, RayKind};
 use super::parts::{Group, Parts};
 use super::ray::{Range, Ray};
-use super::shape::{Crossing, Shape};
+use super::shape::{Crossing, Primitive, Shape};
 use crate::math::DVec3;
 use crate::math::wide::widest;
 
@@ -95,7 +95,18 @@ impl Parts {
                 return occludes;
             }
         }
+        if let Some(number) = self.as_bounded(member) {
+            let ask = |primitive: &Primitive, ray: &Ray, range| primitive.occludes(ray, range).then_some(());
+            return self.ask_bounded(number, ray, range, kind, ask).is_some();
+        }
         self.nearest_of_any(member, ray, range, kind).is_some()
+    }
+
+    /// The number of a leaf that nothing cuts.
+    #[inline]
+    fn as_bounded(&self, member: Member) -> Option<u32> {
+        let Member::Leaf(number) = member else { return None };
+        self.leaf(number).limits.as_ref().is_none_or(|limits| limits.clips.is_empty()).then_some(number)
     }
 
     /// The member if it is a compound of a few convex solids.
@@ -113,10 +124,14 @@ impl Parts {
 
     /// The same, however close faces are.
     fn nearest_of_any(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
+        if let Some(number) = self.as_bounded(member) {
+            let crossing = self.ask_bounded(number, ray, range, kind, Primitive::nearest)?;
+            return Some(Found { crossing, leaf: number, near: 0 });
+        }
         if let Member::Leaf(number) = member
-            && self.limits(member).is_none_or(|limits| limits.clips.is_empty())
+            && let Some(nearest) = self.nearest_of_clipped(number, ray, range, kind)
         {
-            return self.nearest_of_bounded(number, ray, range, kind);
+            return nearest;
         }
         self.with_crossings(member, ray, range, kind, |scratch| {
             let (found, tree) = (&scratch.found, Tree::new(self, ray, scratch));

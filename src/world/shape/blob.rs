@@ -19,6 +19,8 @@ pub struct Blob {
     bvh: Bvh,
     /// Whether any part has a texture of its own.
     textured: bool,
+    /// Whether any part weakens the field.
+    carves: bool,
 }
 
 /// One ball, half-ball or tube around which a field is.
@@ -150,6 +152,14 @@ impl Span {
         if self.strength < 0.0 { [fields[1], fields[0]] } else { fields }
     }
 
+    /// Where the field is strongest, if that is within the span.
+    #[inline(always)]
+    fn middle(&self) -> f64 {
+        let [_, b, a] = self.square;
+        let middle = -b / a;
+        if self.enter <= middle && middle <= self.leave { middle } else { f64::INFINITY }
+    }
+
     /// Adds the field as a polynomial in the distance from `start`.
     fn add(&self, start: f64, quartic: &mut [f64; 5]) {
         let [c, b, a] = self.square;
@@ -187,7 +197,8 @@ impl Blob {
             Bounds::ALL
         };
         let textured = parts.iter().any(|part| part.texture != OWN_TEXTURE);
-        Self { bvh, parts, threshold, bounds, textured }
+        let carves = parts.iter().any(|part| part.strength < 0.0);
+        Self { bvh, parts, threshold, bounds, textured, carves }
     }
 
     /// Strength at a point above the threshold, and the gradient.
@@ -214,18 +225,22 @@ impl Blob {
     }
 
     /// Calls back with the distance of every crossing within the range or close to it, ascending, until it
-    /// returns `false`.
-    fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
+    /// returns `false`. Of a blob that is sought `briefly` those behind the middle of a part that is inside alone
+    /// are left out; whether any may have been.
+    fn walk(&self, ray: &Ray, range: Range, briefly: bool, mut found: impl FnMut(f64) -> bool) -> bool {
         let center = if self.bounds.is_finite() { self.bounds.center() } else { DVec3::ZERO };
         let (shift, ray) = ray.moved_to(center);
         let room = BESIDE * shift.abs();
-        let range = Range { min: range.min - shift - room, max: range.max - shift + room };
+        let mut range = Range { min: range.min - shift - room, max: range.max - shift + room };
         let mut spans = SmallVec::<[Span; 16]>::new();
         let (mut peak, mut last) = (0.0, f64::NEG_INFINITY);
         // What is wholly before or behind the range has no part in any sum within it.
         let reach = self.bounds.size().length() / ray.direction.length();
         let reach = if reach.is_finite() { reach } else { f64::INFINITY };
-        let line = Range { min: range.min.max(-reach), max: range.max.min(reach) };
+        let mut line = Range { min: range.min.max(-reach), max: range.max.min(reach) };
+        let sure = SURE * self.threshold.abs();
+        let briefly = briefly && !self.carves;
+        let mut brief = f64::INFINITY;
         widest(
             #[inline(always)]
             || {
@@ -236,6 +251,13 @@ impl Blob {
                     |run| {
                         for part in &self.parts[run] {
                             if let Some(span) = part.meet(&ray) {
+                                if briefly && span.peak > self.threshold + sure {
+                                    let middle = span.middle();
+                                    if middle > line.min && middle < brief {
+                                        brief = middle;
+                                        line.max = line.max.min(brief);
+                                    }
+                                }
                                 peak += span.peak;
                                 last = span.leave.max(last);
                                 spans.push(span);
@@ -246,14 +268,15 @@ impl Blob {
                 );
             },
         );
-        let sure = SURE * self.threshold.abs();
+        range.max = range.max.min(brief);
+        let is_brief = brief < f64::INFINITY;
         if peak < self.threshold - sure {
-            return;
+            return is_brief;
         }
         spans.sort_unstable_by(|a, b| a.enter.total_cmp(&b.enter));
         let spans = spans.as_slice();
         let Some(mut end) = spans.first().map(|span| span.enter) else {
-            return;
+            return is_brief;
         };
         let least_gap = ONE_EVENT * (last - end);
         let mut entered = 0;
@@ -313,13 +336,14 @@ impl Blob {
                     // Only where gaps meet can there be a change without a root.
                     let root = seeds.get(i).copied().unwrap_or_else(|| between(from, to, at));
                     if !found(start + root + shift) {
-                        return;
+                        return is_brief;
                     }
                 }
                 from = to;
             }
             value = Some(from.1);
         }
+        is_brief
     }
 }
 
@@ -329,7 +353,7 @@ impl Shape for Blob {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        self.walk(ray, range, |t| {
+        self.walk(ray, range, false, |t| {
             if range.contains(t) {
                 out.push(Crossing::new(t, 0));
             }
@@ -338,12 +362,19 @@ impl Shape for Blob {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let mut nearest = None;
-        self.walk(ray, range, |t| {
-            nearest = range.contains(t).then(|| Crossing::new(t, 0));
-            nearest.is_none() && t < range.max
-        });
-        nearest
+        let seek = |briefly| {
+            let mut nearest = None;
+            let is_brief = self.walk(ray, range, briefly, |t| {
+                nearest = range.contains(t).then(|| Crossing::new(t, 0));
+                nearest.is_none() && t < range.max
+            });
+            (nearest, is_brief)
+        };
+        // A ray that starts inside may meet nothing before the middle of a part.
+        match seek(true) {
+            (None, true) => seek(false).0,
+            (nearest, _) => nearest,
+        }
     }
 
     fn inside(&self, point: DVec3) -> bool {
@@ -355,9 +386,8 @@ impl Shape for Blob {
         uncrossed::inside_along(self, point)
     }
 
-    fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
-        let slope = self.value(point).1;
-        if slope == DVec3::ZERO { DVec3::X } else { -slope }
+    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        self.touched(point, crossing).map_or(DVec3::X, |(_, normal)| normal)
     }
 
     fn textures(&self, point: DVec3, _crossing: &Crossing, found: &mut dyn FnMut(u32, f64)) {
@@ -369,12 +399,19 @@ impl Shape for Blob {
         self.around(point, |part, field, _| found(part.texture, field.abs() / sum));
     }
 
-    fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
+    fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        self.touched(point, crossing).map_or(point, |(on, _)| on)
+    }
+
+    fn touched(&self, point: DVec3, _crossing: &Crossing) -> Option<(DVec3, DVec3)> {
         let (value, slope) = self.value(point);
+        if slope == DVec3::ZERO {
+            return Some((point, DVec3::X));
+        }
         let step = slope * (value / slope.length_squared());
-        // Where the gradient vanishes the step leads anywhere.
+        // Where the gradient nearly vanishes the step leads anywhere.
         let near = step.length_squared() <= 1e-12 * self.bounds.size().length_squared();
-        if near { point - step } else { point }
+        Some((if near { point - step } else { point }, -slope))
     }
 }
 

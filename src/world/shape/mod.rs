@@ -37,6 +37,7 @@ pub(crate) mod battery;
 pub use primitive::Primitive;
 
 use std::cell::Cell;
+use std::sync::Arc;
 
 use super::ray::{Range, Ray};
 use crate::math::{Band, Bounds, DVec2, DVec3};
@@ -168,8 +169,18 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         0.0
     }
 
+    /// The same shape, of which mostly what is in a ball matters; `None` where it doesn't profit from knowing that.
+    fn at_home_in(&self, _center: DVec3, _radius: f64) -> Option<Arc<dyn Shape>> {
+        None
+    }
+
     /// What its author should know once rays have been there.
     fn remark(&self) -> Option<Remark> {
+        None
+    }
+
+    /// [`Shape::reproject`] and [`Shape::normal`] of a computed hit point, where it is cheaper to find both at once.
+    fn touched(&self, _point: DVec3, _crossing: &Crossing) -> Option<(DVec3, DVec3)> {
         None
     }
 

@@ -1,5 +1,8 @@
 //! `cubic`, `quartic`, `poly`, `polynomial` (docs/spec/primitives.md 3.9).
 
+use std::ops::{Add, Mul};
+use std::sync::Arc;
+
 use super::{Crossing, Shape};
 use crate::math::roots::{any_between, each_root};
 use crate::math::wide::widest;
@@ -11,7 +14,9 @@ use crate::world::{Range, Ray};
 pub struct Poly {
     degree: usize,
     /// By the exponent of x, then of y, then of z, each in Horner's order: the highest first.
-    coefficients: Vec<Vec<Vec<f64>>>,
+    coefficients: Arc<[Vec<Vec<f64>>]>,
+    /// Where most of it is that matters: roots on a line are looked for inside and outside of this ball.
+    home: Option<(DVec3, f64)>,
 }
 
 /// The highest degree.
@@ -22,6 +27,9 @@ const BESIDE: f64 = 1e-6;
 
 /// So many terms are few.
 const FEW: usize = 9;
+
+/// How much larger than asked for a ball is.
+const ROOM: f64 = 1.0 + 1e-9;
 
 /// A polynomial along a ray, the constant first; terms beyond the count are 0.
 #[derive(Clone, Copy)]
@@ -86,7 +94,7 @@ impl Poly {
             }
             all.push(trimmed(by_y, Vec::is_empty));
         }
-        Some(Self { degree, coefficients: trimmed(all, Vec::is_empty) })
+        Some(Self { degree, coefficients: trimmed(all, Vec::is_empty).into(), home: None })
     }
 
     /// The polynomial in the distance along a ray.
@@ -94,11 +102,14 @@ impl Poly {
     fn along<const N: usize>(&self, ray: &Ray) -> Along<N> {
         let (o, d) = (ray.origin, ray.direction);
         let mut in_x = Along::<N>::ZERO;
-        for by_y in &self.coefficients {
+        for by_y in &*self.coefficients {
             in_x.step(o.x, d.x);
             let mut in_y = Along::<N>::ZERO;
             for by_z in by_y {
                 in_y.step(o.y, d.y);
+                if by_z.is_empty() {
+                    continue;
+                }
                 let mut in_z = Along::<N>::ZERO;
                 for coefficient in by_z {
                     in_z.step(o.z, d.z);
@@ -111,76 +122,157 @@ impl Poly {
         in_x
     }
 
-    fn each_root<const N: usize>(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(f64) -> bool) {
-        let along = widest(
-            #[inline(always)]
-            || self.along::<N>(ray),
-        );
-        if has_none::<N>(&along.terms, range) {
-            return;
+    /// Where a ray whose origin is nearest to the ball that matters is in it; all of the line where it isn't.
+    /// Whatever the range, a line is parted there, so that a crossing is always the same to the last bit.
+    #[inline(always)]
+    fn at_home(&self, ray: &Ray) -> [f64; 2] {
+        let square = self
+            .home
+            .map_or(0.0, |(center, radius)| radius * radius - (ray.origin - center).length_squared());
+        if square <= 0.0 {
+            return [f64::NEG_INFINITY, f64::INFINITY];
         }
-        // All along the line, so that a crossing is the same to the last bit whatever the range.
-        let line = [f64::NEG_INFINITY, f64::INFINITY];
-        each_root::<N>(&along.terms[..along.count], line, [range.min, range.max], found);
+        let half = (square / ray.direction.length_squared()).sqrt();
+        [-half, half]
     }
 
     /// Calls back with the distance of every crossing in range, ascending, until told to stop.
-    fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
-        let (shift, ray) = ray.moved_to(DVec3::ZERO);
+    #[inline(always)]
+    fn walk(&self, ray: &Ray, range: Range, found: impl FnMut(f64) -> bool) {
+        match self.degree {
+            ..=4 => self.walk_few::<5>(ray, range, found),
+            5..=8 => self.walk_few::<9>(ray, range, found),
+            _ => self.walk_few::<{ MAX_DEGREE + 1 }>(ray, range, found),
+        }
+    }
+
+    /// The same, with room for so many terms.
+    fn walk_few<const N: usize>(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
+        let (shift, ray, along) = self.moved::<N>(ray);
         let beside = |end: f64| BESIDE * (end.abs() + shift.abs());
-        let near =
-            Range { min: range.min - shift - beside(range.min), max: range.max - shift + beside(range.max) };
+        let wanted = [range.min - shift - beside(range.min), range.max - shift + beside(range.max)];
         let mut each = |t: f64| {
             let t = self.polish(&ray, t) + shift;
             t < range.max && (t <= range.min || found(t))
         };
-        match self.degree {
-            ..=4 => self.each_root::<5>(&ray, near, &mut each),
-            5..=8 => self.each_root::<9>(&ray, near, &mut each),
-            _ => self.each_root::<{ MAX_DEGREE + 1 }>(&ray, near, &mut each),
+        for ends in parted(self.at_home(&ray)) {
+            if ends[0] < ends[1]
+                && ends[1] >= wanted[0]
+                && !is_void(&along, ends)
+                && !each_root::<N>(&along.terms[..along.count], ends, wanted, &mut each)
+            {
+                return;
+            }
         }
+    }
+
+    /// How far along a ray it is nearest to the home, the ray from there, and the polynomial along it.
+    #[inline(always)]
+    fn moved<const N: usize>(&self, ray: &Ray) -> (f64, Ray, Along<N>) {
+        let center = self.home.map_or(DVec3::ZERO, |(center, _)| center);
+        widest(
+            #[inline(always)]
+            || {
+                let (shift, ray) = ray.moved_to(center);
+                (shift, ray, self.along::<N>(&ray))
+            },
+        )
+    }
+
+    /// Whether a ray meets the surface in `range`, as far as signs alone tell.
+    fn is_met<const N: usize>(&self, ray: &Ray, range: Range) -> Option<bool> {
+        let (shift, ray, along) = self.moved::<N>(ray);
+        let ahead = [range.min - shift, range.max - shift];
+        for ends in parted(self.at_home(&ray)) {
+            let [low, high] = [ends[0].max(ahead[0]), ends[1].min(ahead[1])];
+            if low < high && !is_void(&along, ends) {
+                let is_finite = low.is_finite() && high.is_finite();
+                if is_finite.then(|| any_between(&along.terms, low, high))?? {
+                    return Some(true);
+                }
+            }
+        }
+        Some(false)
     }
 
     /// One Newton step on the surface's own equation, whose terms cancel less than those of the
     /// polynomial in the distance, unless it is a leap.
     fn polish(&self, ray: &Ray, t: f64) -> f64 {
-        let (value, gradient, _) = self.value(ray.at(t));
+        let (value, gradient) = self.value(ray.at(t));
         let step = value / gradient.dot(ray.direction);
         if step.abs() <= 1e-8 * t.abs() { t - step } else { t }
     }
 
-    /// Value, gradient, and the size of the terms whose rounding the value carries.
-    fn value(&self, p: DVec3) -> (f64, DVec3, f64) {
-        let a = p.abs();
-        let (mut value, mut slope, mut size) = (0.0, DVec3::ZERO, 0.0);
-        for by_y in &self.coefficients {
-            let (mut in_y, mut slope_y, mut slope_yz, mut size_y) = (0.0, 0.0, 0.0, 0.0);
+    /// Value and gradient.
+    fn value(&self, p: DVec3) -> (f64, DVec3) {
+        let (mut value, mut slope) = (0.0, DVec3::ZERO);
+        for by_y in &*self.coefficients {
+            let (mut in_y, mut slope_y, mut slope_yz) = (0.0, 0.0, 0.0);
             for by_z in by_y {
-                let (mut in_z, mut slope_z, mut size_z) = (0.0, 0.0, 0.0);
+                let (mut in_z, mut slope_z) = (0.0, 0.0);
                 for c in by_z {
                     slope_z = slope_z * p.z + in_z;
                     in_z = in_z * p.z + c;
-                    size_z = size_z * a.z + c.abs();
                 }
                 slope_y = slope_y * p.y + in_y;
                 slope_yz = slope_yz * p.y + slope_z;
                 in_y = in_y * p.y + in_z;
-                size_y = size_y * a.y + size_z;
             }
             slope = DVec3::new(slope.x * p.x + value, slope.y * p.x + slope_y, slope.z * p.x + slope_yz);
             value = value * p.x + in_y;
-            size = size * a.x + size_y;
         }
-        (value, slope, size)
+        (value, slope)
+    }
+
+    /// The value in numbers of any kind that are added and multiplied.
+    fn sum<T: Copy + Add<Output = T> + Mul<Output = T>>(
+        &self,
+        [x, y, z]: [T; 3],
+        constant: impl Fn(f64) -> T,
+    ) -> T {
+        let zero = constant(0.0);
+        self.coefficients.iter().fold(zero, |sum, by_y| {
+            let in_y = by_y.iter().fold(zero, |in_y, by_z| {
+                in_y * y + by_z.iter().fold(zero, |in_z, c| in_z * z + constant(*c))
+            });
+            sum * x + in_y
+        })
     }
 }
 
-/// Whether signs alone tell that a polynomial of few terms has no root in a range.
-fn has_none<const N: usize>(terms: &[f64; N], range: Range) -> bool {
-    N <= FEW
-        && range.min.is_finite()
-        && range.max.is_finite()
-        && any_between(terms, range.min, range.max) == Some(false)
+/// A line parted by a stretch of it.
+#[inline(always)]
+fn parted([low, high]: [f64; 2]) -> [[f64; 2]; 3] {
+    [[f64::NEG_INFINITY, low], [low, high], [high, f64::INFINITY]]
+}
+
+/// Whether a polynomial of few terms is known to have no root on a ray with one end: beyond that all its terms are
+/// of one sign (Descartes).
+#[inline(always)]
+fn is_void<const N: usize>(along: &Along<N>, [low, high]: [f64; 2]) -> bool {
+    if N > FEW || low.is_finite() == high.is_finite() {
+        return false;
+    }
+    let (end, forward) = if low.is_finite() { (low, 1.0) } else { (-high, -1.0) };
+    // The terms of the polynomial of the distance beyond the end, and how large they may be.
+    let (mut terms, mut sizes, mut sign) = (along.terms, along.terms, 1.0);
+    for i in 0..N {
+        (terms[i], sizes[i]) = (terms[i] * sign, sizes[i].abs());
+        sign *= forward;
+    }
+    for from in 0..N - 1 {
+        for i in (from..N - 1).rev() {
+            terms[i] += end * terms[i + 1];
+            sizes[i] += end.abs() * sizes[i + 1];
+        }
+    }
+    let (mut above, mut below) = (true, true);
+    for i in 0..N {
+        let noise = 8.0 * N as f64 * f64::EPSILON * sizes[i];
+        above &= terms[i] > noise || sizes[i] == 0.0;
+        below &= terms[i] < -noise || sizes[i] == 0.0;
+    }
+    above || below
 }
 
 /// Without the leading entries that are `empty`.
@@ -211,35 +303,49 @@ impl Shape for Poly {
         nearest
     }
 
+    fn occludes(&self, ray: &Ray, range: Range) -> bool {
+        let told = match self.degree {
+            ..=4 => self.is_met::<5>(ray, range),
+            5..=8 => self.is_met::<FEW>(ray, range),
+            _ => None,
+        };
+        told.unwrap_or_else(|| self.nearest(ray, range).is_some())
+    }
+
+    fn at_home_in(&self, center: DVec3, radius: f64) -> Option<Arc<dyn Shape>> {
+        let home = Some((center, radius * ROOM));
+        Some(Arc::new(Self { home, ..self.clone() }))
+    }
+
     /// The surface is inside, as far as rounding can tell. POV-Ray adds all values below 1e-4.
     fn inside(&self, point: DVec3) -> bool {
-        let (value, _, size) = self.value(point);
+        let value = self.sum(point.to_array(), |c| c);
+        let size = self.sum(point.abs().to_array(), f64::abs);
         value <= 8.0 * f64::EPSILON * size
     }
 
-    fn inside_along(&self, [x, y, z]: &[Band; 3]) -> Band {
-        let zero = Band::constant(0.0);
-        let value = self.coefficients.iter().fold(zero, |value, by_y| {
-            let in_y = by_y
-                .iter()
-                .fold(zero, |in_y, by_z| in_y * *y + by_z.iter().fold(zero, |in_z, c| in_z * *z + *c));
-            value * *x + in_y
-        });
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
         // Bands have room for more than the rounding that counts as inside.
-        value.less_equal(zero)
+        self.sum(*point, Band::constant).less_equal(Band::constant(0.0))
     }
 
-    fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
-        let gradient = self.value(point).1;
-        if gradient == DVec3::ZERO { DVec3::X } else { gradient }
+    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        self.touched(point, crossing).map_or(DVec3::X, |(_, normal)| normal)
     }
 
-    fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
-        let (value, gradient, _) = self.value(point);
+    fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
+        self.touched(point, crossing).map_or(point, |(on, _)| on)
+    }
+
+    fn touched(&self, point: DVec3, _crossing: &Crossing) -> Option<(DVec3, DVec3)> {
+        let (value, gradient) = self.value(point);
+        if gradient == DVec3::ZERO {
+            return Some((point, DVec3::X));
+        }
         let step = gradient * (value / gradient.length_squared());
-        // Where the gradient vanishes the step leads anywhere.
+        // Where the gradient nearly vanishes the step leads anywhere.
         let near = step.length_squared() <= 1e-12 * point.length_squared();
-        if near { point - step } else { point }
+        Some((if near { point - step } else { point }, gradient))
     }
 }
 

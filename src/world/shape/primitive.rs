@@ -76,6 +76,9 @@ impl Primitive {
 
     /// The same for what is neither sphere, box nor plane.
     fn touched_elsewhere(&self, point: DVec3, crossing: &Crossing) -> (DVec3, DVec3) {
+        if let Self::Torus(torus) = self {
+            return torus.touched(point);
+        }
         let on = self.reproject(point, crossing);
         (on, self.normal(on, crossing).normalize_or_zero())
     }

@@ -1,9 +1,12 @@
 //! `torus { major, minor }` (docs/spec/primitives.md 3.7).
 
+mod line;
+
 use std::f64::consts::{PI, TAU};
 
+use self::line::Line;
 use super::{Crossing, Shape};
-use crate::math::roots;
+use crate::math::roots::{self, Search};
 use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
@@ -22,6 +25,9 @@ const ROOM: f64 = 1.0 + 1e-9;
 
 /// How far beyond the ends of a range roots are looked for, in units of the torus' size.
 const BESIDE: f64 = 1e-6;
+
+/// The share of a ray's speed at which it enters or leaves the tube where a Newton step is known to better a root.
+const STEEP: f64 = 0.01;
 
 /// Without the detour by which `hypot` avoids overflow.
 fn length(x: f64, y: f64) -> f64 {
@@ -43,6 +49,7 @@ impl Torus {
     }
 
     /// The stretch of the ray in which roots are looked for, inside the slab and the sphere around.
+    #[inline(always)]
     fn clip(&self, ray: &Ray, speed: f64) -> Option<[f64; 2]> {
         let radius = (self.major + self.minor) * ROOM;
         let square = radius * radius - ray.origin.length_squared();
@@ -55,23 +62,22 @@ impl Torus {
         if direction == 0.0 {
             return (origin.abs() <= height).then_some([-half, half]);
         }
-        let (one, other) = ((-height - origin) / direction, (height - origin) / direction);
+        let per = 1.0 / direction;
+        let (one, other) = ((-height - origin) * per, (height - origin) * per);
         let (low, high) = (one.min(other).max(-half), one.max(other).min(half));
         (low <= high).then_some([low, high])
     }
 
     /// Where a ray that doesn't pass by has its closest approach, and the ray from there.
-    #[inline]
+    #[inline(always)]
     fn moved(&self, ray: &Ray) -> Option<(f64, Ray)> {
-        let (shift, ray) = widest(
-            #[inline(always)]
-            || ray.moved_to(DVec3::ZERO),
-        );
+        let (shift, ray) = ray.moved_to(DVec3::ZERO);
         (!self.is_passed_by(&ray)).then_some((shift, ray))
     }
 
     /// The stretches in which the ray may meet the tube: what [`clip`](Self::clip) leaves, but for the cylinder
     /// through the hole, which parts the near from the far side. One that ends before it starts is none.
+    #[inline(always)]
     fn stretches(&self, ray: &Ray, speed: f64) -> [[f64; 2]; 2] {
         const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
         let Some([low, high]) = self.clip(ray, speed) else {
@@ -113,53 +119,83 @@ impl Torus {
     }
 
     /// Calls back with the crossings in range, ascending, until told to stop.
+    #[inline(always)]
     fn each(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> bool) {
         let Some((shift, ray)) = self.moved(ray) else {
             return;
         };
         let speed = ray.direction.length();
         let stretches = self.stretches(&ray, speed);
-        if stretches.iter().all(|[low, high]| low > high) {
-            return;
-        }
-        let quartic = self.quartic(&ray, speed);
-        let unit = (self.major + self.minor) / speed;
-        let wanted = [(range.min - shift) / unit - BESIDE, (range.max - shift) / unit + BESIDE];
-        let mut found = |root: f64| {
-            let (t, part) = self.polish(&ray, root * unit);
+        let line = Line::new(self, &ray);
+        let beside = BESIDE * (self.major + self.minor) / speed;
+        let wanted = [range.min - shift - beside, range.max - shift + beside];
+        let mut found = |t: f64| {
+            let (t, part) = self.polish(&ray, t);
             let t = t + shift;
             t < range.max && (t <= range.min || found(Crossing::new(t, part)))
         };
         for [low, high] in stretches {
-            if low <= high && !roots::each_root::<5>(&quartic, [low / unit, high / unit], wanted, &mut found)
-            {
-                return;
+            if low > high {
+                continue;
+            }
+            let (b, noise) = line.bernstein(low, high);
+            match roots::each_told_apart(
+                &b,
+                noise,
+                [low, high],
+                wanted,
+                #[inline(always)]
+                |t| line.value(t),
+                &mut found,
+            ) {
+                Search::Done => {}
+                Search::Stopped => return,
+                Search::Doubt(from) => {
+                    if !self.each_in_doubt(&ray, speed, [from, high], wanted, &mut found) {
+                        return;
+                    }
+                }
             }
         }
     }
 
+    /// Calls back with the roots between two ends where they are hard to tell apart; whether more are wanted.
+    #[cold]
+    fn each_in_doubt(
+        &self,
+        ray: &Ray,
+        speed: f64,
+        ends: [f64; 2],
+        wanted: [f64; 2],
+        found: &mut dyn FnMut(f64) -> bool,
+    ) -> bool {
+        let quartic = self.quartic(ray, speed);
+        let unit = (self.major + self.minor) / speed;
+        let [ends, wanted] = [ends, wanted].map(|ends| ends.map(|end| end / unit));
+        roots::each_root::<5>(&quartic, ends, wanted, &mut |root| found(root * unit))
+    }
+
     /// Whether the ray meets the surface in `range`, as far as signs alone tell.
+    #[inline(always)]
     fn is_met(&self, ray: &Ray, range: Range) -> Option<bool> {
         let Some((shift, ray)) = self.moved(ray) else {
             return Some(false);
         };
-        let speed = ray.direction.length();
-        let ahead = |[low, high]: [f64; 2]| [low.max(range.min - shift), high.min(range.max - shift)];
-        let stretches = self.stretches(&ray, speed).map(ahead);
-        if stretches.iter().all(|[low, high]| low >= high) {
-            return Some(false);
-        }
-        let quartic = self.quartic(&ray, speed);
-        let unit = (self.major + self.minor) / speed;
-        for [low, high] in stretches {
-            if low < high && roots::any_between(&quartic, low / unit, high / unit)? {
-                return Some(true);
+        let line = Line::new(self, &ray);
+        for [low, high] in self.stretches(&ray, ray.direction.length()) {
+            let (low, high) = (low.max(range.min - shift), high.min(range.max - shift));
+            if low < high {
+                let (b, noise) = line.bernstein(low, high);
+                if roots::any_told_apart(b, noise)? {
+                    return Some(true);
+                }
             }
         }
         Some(false)
     }
 
     /// One Newton step on the distance from the tube, whose cancellation is milder than the quartic's.
+    #[inline(always)]
     fn polish(&self, ray: &Ray, t: f64) -> (f64, u32) {
         let point = ray.at(t);
         let (ring, part) = self.nearest_ring(point);
@@ -167,20 +203,45 @@ impl Torus {
         let excess = from.length() - self.minor;
         let slope = from.dot(ray.direction) / from.length();
         let step = excess / slope;
-        // Near a tangent the step is noise: keep the quartic's root.
         let polished = t - step;
+        let speed = ray.direction.length();
+        // What the step leaves is bounded by the curvature, beside which this one is small.
+        if slope.abs() > STEEP * speed
+            && step.abs() * speed < STEEP.powi(4) * self.minor.min(self.major - self.minor)
+        {
+            return (polished, part);
+        }
+        // Near a tangent the step is noise: keep the quartic's root.
         let better = |t: f64| ((ray.at(t) - self.nearest_ring(ray.at(t)).0).length() - self.minor).abs();
         if step.is_finite() && better(polished) < excess.abs() { (polished, part) } else { (t, part) }
     }
 
     /// The middle of the tube `point` lies on, and its part: for the inner sheet that is across the axis.
+    #[inline(always)]
     fn nearest_ring(&self, point: DVec3) -> (DVec3, u32) {
         let around = length(point.x, point.z);
-        let across = DVec3::new(point.x, 0.0, point.z) * (self.major / around);
-        let across = if around == 0.0 { DVec3::X * self.major } else { across };
+        let scale = self.major / around;
+        let across = if around == 0.0 {
+            DVec3::X * self.major
+        } else {
+            DVec3::new(point.x * scale, 0.0, point.z * scale)
+        };
+        if self.major >= self.minor {
+            return (across, 0);
+        }
         let outer = (length(around - self.major, point.y) - self.minor).abs();
         let inner = (length(around + self.major, point.y) - self.minor).abs();
         if inner < outer { (-across, 1) } else { (across, 0) }
+    }
+}
+
+impl Torus {
+    /// The point of the surface next to a computed one, and the unit normal there.
+    #[inline]
+    pub(super) fn touched(&self, point: DVec3) -> (DVec3, DVec3) {
+        let ring = self.nearest_ring(point).0;
+        let normal = (point - ring) / (point - ring).length();
+        (ring + normal * self.minor, normal)
     }
 }
 
@@ -199,16 +260,30 @@ impl Shape for Torus {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let mut nearest = None;
-        self.each(ray, range, |crossing| {
-            nearest = Some(crossing);
-            false
-        });
-        nearest
+        widest(
+            #[inline(always)]
+            || {
+                let mut nearest = None;
+                self.each(
+                    ray,
+                    range,
+                    #[inline(always)]
+                    |crossing| {
+                        nearest = Some(crossing);
+                        false
+                    },
+                );
+                nearest
+            },
+        )
     }
 
     fn occludes(&self, ray: &Ray, range: Range) -> bool {
-        self.is_met(ray, range).unwrap_or_else(|| self.nearest(ray, range).is_some())
+        let told = widest(
+            #[inline(always)]
+            || self.is_met(ray, range),
+        );
+        told.unwrap_or_else(|| self.nearest(ray, range).is_some())
     }
 
     fn inside(&self, point: DVec3) -> bool {
@@ -236,9 +311,7 @@ impl Shape for Torus {
     }
 
     fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
-        let ring = self.nearest_ring(point).0;
-        let from = point - ring;
-        ring + from * (self.minor / from.length())
+        self.touched(point).0
     }
 }
 
