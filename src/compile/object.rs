@@ -10,14 +10,15 @@ use super::probe::inside_of;
 use super::shape::settled::settled;
 use super::shape::{self, Compiled};
 use super::texture::TextureCompiler;
-use crate::math::{Bounds, DVec3, Transform};
+use crate::math::{Bounds, DMat3, DVec3, Transform};
 use crate::scene::depth::DEEPEST;
 use crate::scene::object::ObjectFlags;
 use crate::scene::texture::{LegacyFinish, TextureBody};
 use crate::scene::{Object, Shape, Texture};
 use crate::world::extent::{Extent, around_rounding, half_space};
 use crate::world::narrow;
-use crate::world::object::{LeafFlags, Numbered};
+use crate::world::object::{LeafFlags, Limits, Numbered};
+use crate::world::shape::r#box::Cuboid;
 use crate::world::shape::{Primitive, Shape as _};
 use crate::world::{Leaf, Member, RayKind};
 
@@ -174,9 +175,17 @@ impl Flattener<'_> {
         Some(Member::Leaf(self.flat.parts.leaves.len() as u32 - 1))
     }
 
-    /// Tells a primitive in which ball it is clipped or bounded.
+    /// Tells a primitive what it is clipped or bounded by.
     fn settle(&self, leaf: &mut Leaf) {
+        let Primitive::Other(shape) = &leaf.primitive else { return };
         let Some(limits) = &leaf.limits else { return };
+        if let Some(gate) = self.gate(leaf, limits)
+            && let Some(shape) = shape.behind_gate(gate)
+        {
+            leaf.primitive = Primitive::Other(shape);
+            leaf.limits = None;
+            return;
+        }
         let limits = limits.clips.iter().chain(&limits.bounds).map(|&limit| self.flat.parts.extent(limit));
         let Extent { bounds, beyond: false } = Extent::intersection(limits) else { return };
         if !bounds.is_finite() || bounds.is_empty() {
@@ -185,12 +194,32 @@ impl Flattener<'_> {
         let center = leaf.inner_point(bounds.center());
         let far = |corner: DVec3| leaf.inner_point(corner).distance(center);
         let radius = bounds.corners().into_iter().map(far).fold(0.0, f64::max);
-        if let Primitive::Other(shape) = &leaf.primitive
-            && radius.is_finite()
+        if radius.is_finite()
             && let Some(shape) = shape.at_home_in(center, radius)
         {
             leaf.primitive = Primitive::Other(shape);
         }
+    }
+
+    /// The box that is all a leaf is limited by, where it is one in the space of its primitive too.
+    fn gate(&self, leaf: &Leaf, limits: &Limits) -> Option<Cuboid> {
+        let (&[Member::Leaf(bound)], []) = (&limits.bounds[..], &limits.clips[..]) else {
+            return None;
+        };
+        let bound = self.flat.parts.leaf(bound);
+        let Primitive::Box(cuboid) = bound.primitive else { return None };
+        if bound.limits.is_some() || bound.flags.contains(LeafFlags::INVERTED) {
+            return None;
+        }
+        let (place, own) = (bound.transform.as_deref(), leaf.transform.as_deref());
+        if place == own {
+            return Some(cuboid);
+        }
+        let (None, Some(own)) = (place, own) else { return None };
+        let matrix = own.inverse.matrix3;
+        let is_straight = matrix == DMat3::from_diagonal(matrix.diagonal());
+        let [low, high] = [cuboid.min, cuboid.max].map(|corner| own.inverse_point(corner));
+        is_straight.then(|| Cuboid { min: low.min(high), max: low.max(high) })
     }
 
     /// A box around what clips leave of a leaf with this extent.

@@ -1,12 +1,15 @@
 //! `blob` (docs/spec/primitives.md 5.1).
 
+mod part;
+
 use smallvec::SmallVec;
 
-use super::stretch::Stretch;
+pub use self::part::Part;
+use self::part::Span;
 use super::{Crossing, OWN_TEXTURE, Shape, uncrossed};
-use crate::math::roots::{between, roots_between, with_discriminant};
+use crate::math::roots::{between, roots_between};
 use crate::math::wide::widest;
-use crate::math::{Band, Bounds, DAffine3, DMat3, DVec3, Transform};
+use crate::math::{Band, Bounds, DVec3};
 use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
@@ -23,152 +26,26 @@ pub struct Blob {
     carves: bool,
 }
 
-/// One ball, half-ball or tube around which a field is.
-#[derive(Clone, Debug)]
-pub struct Part {
-    /// To the space in which the field ends at distance 1 from the middle.
-    inverse: DAffine3,
-    /// The distance is that from the z axis instead of the origin.
-    tube: bool,
-    /// Where it is cut off along z; the ends belong to the tube.
-    ends: [f64; 2],
-    /// That space is reached without turning, by the same scale along all axes.
-    is_even: bool,
-    strength: f64,
-    texture: u32,
-    /// The box around the ball, or both balls of a tube.
-    bounds: Bounds,
+/// What of a blob a ray is interested in.
+#[derive(Clone, Copy, PartialEq)]
+enum Sought {
+    /// All crossings.
+    All,
+    /// Those before the middle of a part that is strong enough to be inside alone.
+    First,
+    /// The same, but it is enough to know that there is one.
+    Any,
 }
 
-impl Part {
-    /// A ball of radius 1 about the origin, put in place by `transform`.
-    pub fn ball(transform: &Transform, strength: f64, texture: u32) -> Self {
-        let (inverse, bounds) = (transform.inverse, around_ball(transform));
-        let is_even = inverse.matrix3 == DMat3::from_diagonal(DVec3::splat(inverse.matrix3.x_axis.x));
-        Self {
-            inverse,
-            tube: false,
-            ends: [f64::NEG_INFINITY, f64::INFINITY],
-            is_even,
-            strength,
-            texture,
-            bounds,
-        }
-    }
-
-    /// A tube of radius 1 about the z axis from 0 to `length` with a half-ball at each end.
-    pub fn capsule(transform: &Transform, length: f64, strength: f64, texture: u32) -> [Self; 3] {
-        let low = Self::ball(transform, strength, texture);
-        let high = Self::ball(&Transform::translate(DVec3::Z * length).then(transform), strength, texture);
-        let bounds = low.bounds.union(high.bounds);
-        let tube = Self { tube: true, ends: [0.0, length], bounds, ..low.clone() };
-        let half = |ball: Self, low: f64, high: f64| Self { ends: [low, high], ..ball };
-        [tube, half(low, f64::NEG_INFINITY, 0.0), half(high, 0.0, f64::INFINITY)]
-    }
-
-    /// Strength at a point, and the gradient.
-    fn field(&self, point: DVec3) -> (f64, DVec3) {
-        let p = self.inverse.transform_point3(point);
-        let from = if self.tube { p.with_z(0.0) } else { p };
-        let rest = 1.0 - from.length_squared();
-        let [low, high] = self.ends;
-        let within = if self.tube { low <= p.z && p.z <= high } else { low < p.z && p.z < high };
-        if rest <= 0.0 || !within {
-            return (0.0, DVec3::ZERO);
-        }
-        let slope = self.inverse.matrix3.transpose() * (-4.0 * self.strength * rest * from);
-        (self.strength * rest * rest, slope)
-    }
-
-    /// Where a ray is in the field, and how its distance from the middle, squared, starts and grows.
-    #[inline(always)]
-    fn meet(&self, ray: &Ray) -> Option<Span> {
-        let (o, d) = if self.is_even {
-            let scale = self.inverse.matrix3.x_axis.x;
-            (ray.origin * scale + self.inverse.translation, ray.direction * scale)
-        } else {
-            (self.inverse.transform_point3(ray.origin), self.inverse.transform_vector3(ray.direction))
-        };
-        let (f, e) = if self.tube { (o.with_z(0.0), d.with_z(0.0)) } else { (o, d) };
-        let (a, b, c) = (e.length_squared(), f.dot(e), f.length_squared());
-        if a * (c - 1.0) - b * b > CLEAR * a * c {
-            return None;
-        }
-        let (mut enter, mut leave, mut rest) = (f64::NEG_INFINITY, f64::INFINITY, 1.0 - c);
-        if a != 0.0 {
-            rest = 1.0 - (f - (b / a) * e).length_squared();
-            [enter, leave] = with_discriminant(a, b, c - 1.0, a * rest)?;
-        } else if c >= 1.0 {
-            return None;
-        }
-        let [low, high] = self.ends;
-        if low > f64::NEG_INFINITY || high < f64::INFINITY {
-            let cut = Stretch::slab((low, 0), (high, 0), o.z, d.z)?;
-            (enter, leave) = (enter.max(cut.enter.t), leave.min(cut.leave.t));
-        }
-        (enter < leave && leave.is_finite() && enter.is_finite()).then_some(Span {
-            enter,
-            leave,
-            square: [c, b, a],
-            strength: self.strength,
-            peak: (self.strength * rest * rest).max(0.0),
-        })
-    }
-}
-
-/// The share of the squared distance by which a ray must pass a field, far more than it is rounded by.
-const CLEAR: f64 = 1e-12;
-
-fn around_ball(transform: &Transform) -> Bounds {
-    let m = transform.forward.matrix3.transpose();
-    let half = DVec3::new(m.x_axis.length(), m.y_axis.length(), m.z_axis.length()) * (1.0 + 1e-12);
-    let center = transform.forward.translation;
-    Bounds { min: center - half, max: center + half }
-}
-
-/// The stretch of a ray in a part's field.
-struct Span {
-    enter: f64,
-    leave: f64,
-    /// c, b, a of the squared distance a t² + 2 b t + c.
-    square: [f64; 3],
-    strength: f64,
-    /// The field is nowhere more.
-    peak: f64,
-}
-
-impl Span {
-    /// The least and the greatest that the field is between two distances within the span.
-    #[inline(always)]
-    fn between(&self, from: f64, to: f64) -> [f64; 2] {
-        let [c, b, a] = self.square;
-        let rest = |t: f64| (1.0 - (c + t * (2.0 * b + t * a))).max(0.0);
-        let (one, other) = (rest(from), rest(to));
-        // The distance is least where a t is -b.
-        let most =
-            if a * from < -b && -b < a * to { (1.0 - (c - b * b / a)).max(0.0) } else { one.max(other) };
-        let least = one.min(other);
-        let fields = [self.strength * least * least, self.strength * most * most];
-        if self.strength < 0.0 { [fields[1], fields[0]] } else { fields }
-    }
-
-    /// Where the field is strongest, if that is within the span.
-    #[inline(always)]
-    fn middle(&self) -> f64 {
-        let [_, b, a] = self.square;
-        let middle = -b / a;
-        if self.enter <= middle && middle <= self.leave { middle } else { f64::INFINITY }
-    }
-
-    /// Adds the field as a polynomial in the distance from `start`.
-    fn add(&self, start: f64, quartic: &mut [f64; 5]) {
-        let [c, b, a] = self.square;
-        let (e, f, g) = (1.0 - (c + start * (2.0 * b + start * a)), -2.0 * (b + a * start), -a);
-        let terms = [e * e, 2.0 * e * f, f * f + 2.0 * e * g, 2.0 * f * g, g * g];
-        for (sum, term) in quartic.iter_mut().zip(terms) {
-            *sum += self.strength * term;
-        }
-    }
+/// What has been found out on the way along a ray.
+#[derive(Clone, Copy, PartialEq)]
+enum Walked {
+    /// All crossings.
+    Wholly,
+    /// Those before the middle of a part.
+    Briefly,
+    /// That there is a crossing somewhere.
+    Met,
 }
 
 /// Parts that are asked one after the other.
@@ -225,9 +102,8 @@ impl Blob {
     }
 
     /// Calls back with the distance of every crossing within the range or close to it, ascending, until it
-    /// returns `false`. Of a blob that is sought `briefly` those behind the middle of a part that is inside alone
-    /// are left out; whether any may have been.
-    fn walk(&self, ray: &Ray, range: Range, briefly: bool, mut found: impl FnMut(f64) -> bool) -> bool {
+    /// returns `false`; some may be left out, as `sought` says.
+    fn walk(&self, ray: &Ray, range: Range, sought: Sought, mut found: impl FnMut(f64) -> bool) -> Walked {
         let center = if self.bounds.is_finite() { self.bounds.center() } else { DVec3::ZERO };
         let (shift, ray) = ray.moved_to(center);
         let room = BESIDE * shift.abs();
@@ -239,8 +115,13 @@ impl Blob {
         let reach = if reach.is_finite() { reach } else { f64::INFINITY };
         let mut line = Range { min: range.min.max(-reach), max: range.max.min(reach) };
         let sure = SURE * self.threshold.abs();
-        let briefly = briefly && !self.carves;
-        let mut brief = f64::INFINITY;
+        let briefly = sought != Sought::All && !self.carves;
+        // Beyond its box the blob is over: light from there has passed the surface of what it was inside of.
+        let any = sought == Sought::Any
+            && self.bounds.is_finite()
+            && !self.bounds.contains(ray.at(line.max.min(range.max - 2.0 * room)));
+        let last_middle = range.max - 2.0 * room;
+        let (mut brief, mut is_met) = (f64::INFINITY, false);
         widest(
             #[inline(always)]
             || {
@@ -257,6 +138,10 @@ impl Blob {
                                         brief = middle;
                                         line.max = line.max.min(brief);
                                     }
+                                    if any && middle < last_middle && middle > line.min + 2.0 * room {
+                                        is_met = true;
+                                        return f64::NEG_INFINITY;
+                                    }
                                 }
                                 peak += span.peak;
                                 last = span.leave.max(last);
@@ -269,14 +154,17 @@ impl Blob {
             },
         );
         range.max = range.max.min(brief);
-        let is_brief = brief < f64::INFINITY;
+        let walked = if brief < f64::INFINITY { Walked::Briefly } else { Walked::Wholly };
+        if is_met {
+            return Walked::Met;
+        }
         if peak < self.threshold - sure {
-            return is_brief;
+            return walked;
         }
         spans.sort_unstable_by(|a, b| a.enter.total_cmp(&b.enter));
         let spans = spans.as_slice();
         let Some(mut end) = spans.first().map(|span| span.enter) else {
-            return is_brief;
+            return walked;
         };
         let least_gap = ONE_EVENT * (last - end);
         let mut entered = 0;
@@ -311,12 +199,11 @@ impl Blob {
                 value = None;
                 continue;
             }
-            let (mut least, mut most) = (0.0, 0.0);
+            let mut sums = [-self.threshold; 5];
             for span in active {
-                let [low, high] = span.between(start, end);
-                (least, most) = (least + low, most + high);
+                span.add_between(start, end, &mut sums);
             }
-            if most < self.threshold - sure || least > self.threshold + sure {
+            if sums.iter().all(|sum| *sum < -sure) || sums.iter().all(|sum| *sum > sure) {
                 value = None;
                 continue;
             }
@@ -336,14 +223,14 @@ impl Blob {
                     // Only where gaps meet can there be a change without a root.
                     let root = seeds.get(i).copied().unwrap_or_else(|| between(from, to, at));
                     if !found(start + root + shift) {
-                        return is_brief;
+                        return walked;
                     }
                 }
                 from = to;
             }
             value = Some(from.1);
         }
-        is_brief
+        walked
     }
 }
 
@@ -353,7 +240,7 @@ impl Shape for Blob {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        self.walk(ray, range, false, |t| {
+        self.walk(ray, range, Sought::All, |t| {
             if range.contains(t) {
                 out.push(Crossing::new(t, 0));
             }
@@ -362,18 +249,31 @@ impl Shape for Blob {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let seek = |briefly| {
+        let seek = |sought| {
             let mut nearest = None;
-            let is_brief = self.walk(ray, range, briefly, |t| {
+            let walked = self.walk(ray, range, sought, |t| {
                 nearest = range.contains(t).then(|| Crossing::new(t, 0));
                 nearest.is_none() && t < range.max
             });
-            (nearest, is_brief)
+            (nearest, walked)
         };
         // A ray that starts inside may meet nothing before the middle of a part.
-        match seek(true) {
-            (None, true) => seek(false).0,
+        match seek(Sought::First) {
+            (None, Walked::Briefly) => seek(Sought::All).0,
             (nearest, _) => nearest,
+        }
+    }
+
+    fn occludes(&self, ray: &Ray, range: Range) -> bool {
+        let mut is_met = false;
+        let walked = self.walk(ray, range, Sought::Any, |t| {
+            is_met = range.contains(t);
+            !is_met && t < range.max
+        });
+        match walked {
+            Walked::Met => true,
+            Walked::Wholly => is_met,
+            Walked::Briefly => is_met || self.nearest(ray, range).is_some(),
         }
     }
 

@@ -39,6 +39,7 @@ pub use primitive::Primitive;
 use std::cell::Cell;
 use std::sync::Arc;
 
+use self::r#box::Cuboid;
 use super::ray::{Range, Ray};
 use crate::math::{Band, Bounds, DVec2, DVec3};
 
@@ -171,6 +172,11 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
 
     /// The same shape, of which mostly what is in a ball matters; `None` where it doesn't profit from knowing that.
     fn at_home_in(&self, _center: DVec3, _radius: f64) -> Option<Arc<dyn Shape>> {
+        None
+    }
+
+    /// The same shape, which rays miss that neither start in nor hit a box; `None` where somebody else must see to that.
+    fn behind_gate(&self, _gate: Cuboid) -> Option<Arc<dyn Shape>> {
         None
     }
 

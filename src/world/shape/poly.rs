@@ -1,8 +1,12 @@
 //! `cubic`, `quartic`, `poly`, `polynomial` (docs/spec/primitives.md 3.9).
 
+mod along;
+
 use std::ops::{Add, Mul};
 use std::sync::Arc;
 
+use self::along::{Along, FEW};
+use super::r#box::Cuboid;
 use super::{Crossing, Shape};
 use crate::math::roots::{any_between, each_root};
 use crate::math::wide::widest;
@@ -15,8 +19,18 @@ pub struct Poly {
     degree: usize,
     /// By the exponent of x, then of y, then of z, each in Horner's order: the highest first.
     coefficients: Arc<[Vec<Vec<f64>>]>,
-    /// Where most of it is that matters: roots on a line are looked for inside and outside of this ball.
-    home: Option<(DVec3, f64)>,
+    home: Home,
+}
+
+/// Where most of a surface is that matters: roots on a line are looked for inside and outside of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Home {
+    /// Nobody knows.
+    Anywhere,
+    /// A ball: middle and radius.
+    Ball(DVec3, f64),
+    /// A box; rays that miss it miss the surface.
+    Gate(Cuboid),
 }
 
 /// The highest degree.
@@ -25,56 +39,11 @@ pub const MAX_DEGREE: usize = 35;
 /// How far beyond its ends a range is searched, as a share of their distance.
 const BESIDE: f64 = 1e-6;
 
-/// So many terms are few.
-const FEW: usize = 9;
+/// A whole line.
+const LINE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// How much larger than asked for a ball is.
 const ROOM: f64 = 1.0 + 1e-9;
-
-/// A polynomial along a ray, the constant first; terms beyond the count are 0.
-#[derive(Clone, Copy)]
-struct Along<const N: usize> {
-    terms: [f64; N],
-    count: usize,
-}
-
-impl<const N: usize> Along<N> {
-    const ZERO: Self = Self { terms: [0.0; N], count: 0 };
-
-    /// Times `origin + direction t`.
-    #[inline(always)]
-    fn step(&mut self, origin: f64, direction: f64) {
-        if self.count == 0 {
-            return;
-        }
-        self.count += 1;
-        let count = self.length();
-        for i in (1..count).rev() {
-            self.terms[i] = self.terms[i] * origin + self.terms[i - 1] * direction;
-        }
-        self.terms[0] *= origin;
-    }
-
-    /// How many terms are gone through: of few all, zeros too, as loops of a known length are written out.
-    #[inline(always)]
-    fn length(&self) -> usize {
-        if N <= FEW { N } else { self.count }
-    }
-
-    #[inline(always)]
-    fn add(&mut self, other: &Self) {
-        self.count = self.count.max(other.count);
-        for i in 0..self.length() {
-            self.terms[i] += other.terms[i];
-        }
-    }
-
-    #[inline(always)]
-    fn add_constant(&mut self, constant: f64) {
-        self.count = self.count.max(1);
-        self.terms[0] += constant;
-    }
-}
 
 impl Poly {
     /// From the coefficients in the order of the `poly` statement; missing ones are 0.
@@ -94,7 +63,7 @@ impl Poly {
             }
             all.push(trimmed(by_y, Vec::is_empty));
         }
-        Some(Self { degree, coefficients: trimmed(all, Vec::is_empty).into(), home: None })
+        Some(Self { degree, coefficients: trimmed(all, Vec::is_empty).into(), home: Home::Anywhere })
     }
 
     /// The polynomial in the distance along a ray.
@@ -122,18 +91,32 @@ impl Poly {
         in_x
     }
 
-    /// Where a ray whose origin is nearest to the ball that matters is in it; all of the line where it isn't.
-    /// Whatever the range, a line is parted there, so that a crossing is always the same to the last bit.
+    /// The part of a line in the home, or all of it. Whatever the range, a line is parted there, so that a crossing is
+    /// always the same to the last bit. `None` where the ray, which starts at `start`, misses the gate.
     #[inline(always)]
-    fn at_home(&self, ray: &Ray) -> [f64; 2] {
-        let square = self
-            .home
-            .map_or(0.0, |(center, radius)| radius * radius - (ray.origin - center).length_squared());
-        if square <= 0.0 {
-            return [f64::NEG_INFINITY, f64::INFINITY];
+    fn at_home(&self, ray: &Ray, start: f64) -> Option<[f64; 2]> {
+        match self.home {
+            Home::Anywhere => Some(LINE),
+            Home::Ball(center, radius) => {
+                let square = radius * radius - (ray.origin - center).length_squared();
+                let half = (square.max(0.0) / ray.direction.length_squared()).sqrt();
+                Some(if half > 0.0 { [-half, half] } else { LINE })
+            }
+            Home::Gate(gate) => {
+                let span = gate.span(ray).filter(|span| span.leave.t >= start)?;
+                let [enter, leave] = [span.enter.t, span.leave.t];
+                Some(if leave.is_finite() && enter < leave { [enter, leave] } else { LINE })
+            }
         }
-        let half = (square / ray.direction.length_squared()).sqrt();
-        [-half, half]
+    }
+
+    /// The middle of the home.
+    fn middle(&self) -> DVec3 {
+        match self.home {
+            Home::Anywhere => DVec3::ZERO,
+            Home::Ball(center, _) => center,
+            Home::Gate(gate) => 0.5 * (gate.min + gate.max),
+        }
     }
 
     /// Calls back with the distance of every crossing in range, ascending, until told to stop.
@@ -148,17 +131,20 @@ impl Poly {
 
     /// The same, with room for so many terms.
     fn walk_few<const N: usize>(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
-        let (shift, ray, along) = self.moved::<N>(ray);
+        let Some((shift, ray, home)) = self.moved(ray) else {
+            return;
+        };
+        let along = self.polynomial::<N>(&ray);
         let beside = |end: f64| BESIDE * (end.abs() + shift.abs());
         let wanted = [range.min - shift - beside(range.min), range.max - shift + beside(range.max)];
         let mut each = |t: f64| {
             let t = self.polish(&ray, t) + shift;
             t < range.max && (t <= range.min || found(t))
         };
-        for ends in parted(self.at_home(&ray)) {
+        for ends in parted(home) {
             if ends[0] < ends[1]
                 && ends[1] >= wanted[0]
-                && !is_void(&along, ends)
+                && !along.is_void(ends)
                 && !each_root::<N>(&along.terms[..along.count], ends, wanted, &mut each)
             {
                 return;
@@ -166,26 +152,36 @@ impl Poly {
         }
     }
 
-    /// How far along a ray it is nearest to the home, the ray from there, and the polynomial along it.
+    /// How far along a ray it is nearest to the middle of its home, the ray from there, and its part in the home.
     #[inline(always)]
-    fn moved<const N: usize>(&self, ray: &Ray) -> (f64, Ray, Along<N>) {
-        let center = self.home.map_or(DVec3::ZERO, |(center, _)| center);
+    fn moved(&self, ray: &Ray) -> Option<(f64, Ray, [f64; 2])> {
         widest(
             #[inline(always)]
             || {
-                let (shift, ray) = ray.moved_to(center);
-                (shift, ray, self.along::<N>(&ray))
+                let (shift, ray) = ray.moved_to(self.middle());
+                Some((shift, ray, self.at_home(&ray, -shift)?))
             },
+        )
+    }
+
+    #[inline(always)]
+    fn polynomial<const N: usize>(&self, ray: &Ray) -> Along<N> {
+        widest(
+            #[inline(always)]
+            || self.along(ray),
         )
     }
 
     /// Whether a ray meets the surface in `range`, as far as signs alone tell.
     fn is_met<const N: usize>(&self, ray: &Ray, range: Range) -> Option<bool> {
-        let (shift, ray, along) = self.moved::<N>(ray);
+        let Some((shift, ray, home)) = self.moved(ray) else {
+            return Some(false);
+        };
+        let along = self.polynomial::<N>(&ray);
         let ahead = [range.min - shift, range.max - shift];
-        for ends in parted(self.at_home(&ray)) {
+        for ends in parted(home) {
             let [low, high] = [ends[0].max(ahead[0]), ends[1].min(ahead[1])];
-            if low < high && !is_void(&along, ends) {
+            if low < high && !along.is_void(ends) {
                 let is_finite = low.is_finite() && high.is_finite();
                 if is_finite.then(|| any_between(&along.terms, low, high))?? {
                     return Some(true);
@@ -246,35 +242,6 @@ fn parted([low, high]: [f64; 2]) -> [[f64; 2]; 3] {
     [[f64::NEG_INFINITY, low], [low, high], [high, f64::INFINITY]]
 }
 
-/// Whether a polynomial of few terms is known to have no root on a ray with one end: beyond that all its terms are
-/// of one sign (Descartes).
-#[inline(always)]
-fn is_void<const N: usize>(along: &Along<N>, [low, high]: [f64; 2]) -> bool {
-    if N > FEW || low.is_finite() == high.is_finite() {
-        return false;
-    }
-    let (end, forward) = if low.is_finite() { (low, 1.0) } else { (-high, -1.0) };
-    // The terms of the polynomial of the distance beyond the end, and how large they may be.
-    let (mut terms, mut sizes, mut sign) = (along.terms, along.terms, 1.0);
-    for i in 0..N {
-        (terms[i], sizes[i]) = (terms[i] * sign, sizes[i].abs());
-        sign *= forward;
-    }
-    for from in 0..N - 1 {
-        for i in (from..N - 1).rev() {
-            terms[i] += end * terms[i + 1];
-            sizes[i] += end.abs() * sizes[i + 1];
-        }
-    }
-    let (mut above, mut below) = (true, true);
-    for i in 0..N {
-        let noise = 8.0 * N as f64 * f64::EPSILON * sizes[i];
-        above &= terms[i] > noise || sizes[i] == 0.0;
-        below &= terms[i] < -noise || sizes[i] == 0.0;
-    }
-    above || below
-}
-
 /// Without the leading entries that are `empty`.
 fn trimmed<T>(mut all: Vec<T>, empty: impl Fn(&T) -> bool) -> Vec<T> {
     let from = all.iter().position(|entry| !empty(entry)).unwrap_or(all.len());
@@ -313,8 +280,11 @@ impl Shape for Poly {
     }
 
     fn at_home_in(&self, center: DVec3, radius: f64) -> Option<Arc<dyn Shape>> {
-        let home = Some((center, radius * ROOM));
-        Some(Arc::new(Self { home, ..self.clone() }))
+        Some(Arc::new(Self { home: Home::Ball(center, radius * ROOM), ..self.clone() }))
+    }
+
+    fn behind_gate(&self, gate: Cuboid) -> Option<Arc<dyn Shape>> {
+        Some(Arc::new(Self { home: Home::Gate(gate), ..self.clone() }))
     }
 
     /// The surface is inside, as far as rounding can tell. POV-Ray adds all values below 1e-4.

@@ -239,6 +239,12 @@ impl Shape for Superellipsoid {
         // The function is homogeneous: scaling about the middle goes straight to the surface.
         point / (1.0 + self.value(point).0)
     }
+
+    fn touched(&self, point: DVec3, _crossing: &Crossing) -> Option<(DVec3, DVec3)> {
+        // The slope is the same all the way from the middle.
+        let (value, gradient) = self.value(point);
+        Some((point / (1.0 + value), gradient.normalize_or(DVec3::Z)))
+    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,156 @@
+//! The parts of a blob and their fields.
+
+use super::super::stretch::Stretch;
+use crate::math::roots::with_discriminant;
+use crate::math::{Bounds, DAffine3, DMat3, DVec3, Transform};
+use crate::world::Ray;
+
+/// One ball, half-ball or tube around which a field is.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// To the space in which the field ends at distance 1 from the middle.
+    inverse: DAffine3,
+    /// The distance is that from the z axis instead of the origin.
+    tube: bool,
+    /// Where it is cut off along z; the ends belong to the tube.
+    ends: [f64; 2],
+    /// That space is reached without turning, by the same scale along all axes.
+    is_even: bool,
+    pub(super) strength: f64,
+    pub(super) texture: u32,
+    /// The box around the ball, or both balls of a tube.
+    pub(super) bounds: Bounds,
+}
+
+impl Part {
+    /// A ball of radius 1 about the origin, put in place by `transform`.
+    pub fn ball(transform: &Transform, strength: f64, texture: u32) -> Self {
+        let (inverse, bounds) = (transform.inverse, around_ball(transform));
+        let is_even = inverse.matrix3 == DMat3::from_diagonal(DVec3::splat(inverse.matrix3.x_axis.x));
+        Self {
+            inverse,
+            tube: false,
+            ends: [f64::NEG_INFINITY, f64::INFINITY],
+            is_even,
+            strength,
+            texture,
+            bounds,
+        }
+    }
+
+    /// A tube of radius 1 about the z axis from 0 to `length` with a half-ball at each end.
+    pub fn capsule(transform: &Transform, length: f64, strength: f64, texture: u32) -> [Self; 3] {
+        let low = Self::ball(transform, strength, texture);
+        let high = Self::ball(&Transform::translate(DVec3::Z * length).then(transform), strength, texture);
+        let bounds = low.bounds.union(high.bounds);
+        let tube = Self { tube: true, ends: [0.0, length], bounds, ..low.clone() };
+        let half = |ball: Self, low: f64, high: f64| Self { ends: [low, high], ..ball };
+        [tube, half(low, f64::NEG_INFINITY, 0.0), half(high, 0.0, f64::INFINITY)]
+    }
+
+    /// Strength at a point, and the gradient.
+    pub(super) fn field(&self, point: DVec3) -> (f64, DVec3) {
+        let p = self.inverse.transform_point3(point);
+        let from = if self.tube { p.with_z(0.0) } else { p };
+        let rest = 1.0 - from.length_squared();
+        let [low, high] = self.ends;
+        let within = if self.tube { low <= p.z && p.z <= high } else { low < p.z && p.z < high };
+        if rest <= 0.0 || !within {
+            return (0.0, DVec3::ZERO);
+        }
+        let slope = self.inverse.matrix3.transpose() * (-4.0 * self.strength * rest * from);
+        (self.strength * rest * rest, slope)
+    }
+
+    /// Where a ray is in the field, and how its distance from the middle, squared, starts and grows.
+    #[inline(always)]
+    pub(super) fn meet(&self, ray: &Ray) -> Option<Span> {
+        let (o, d) = if self.is_even {
+            let scale = self.inverse.matrix3.x_axis.x;
+            (ray.origin * scale + self.inverse.translation, ray.direction * scale)
+        } else {
+            (self.inverse.transform_point3(ray.origin), self.inverse.transform_vector3(ray.direction))
+        };
+        let (f, e) = if self.tube { (o.with_z(0.0), d.with_z(0.0)) } else { (o, d) };
+        let (a, b, c) = (e.length_squared(), f.dot(e), f.length_squared());
+        if a * (c - 1.0) - b * b > CLEAR * a * c {
+            return None;
+        }
+        let (mut enter, mut leave, mut rest) = (f64::NEG_INFINITY, f64::INFINITY, 1.0 - c);
+        if a != 0.0 {
+            rest = 1.0 - (f - (b / a) * e).length_squared();
+            [enter, leave] = with_discriminant(a, b, c - 1.0, a * rest)?;
+        } else if c >= 1.0 {
+            return None;
+        }
+        let [low, high] = self.ends;
+        if low > f64::NEG_INFINITY || high < f64::INFINITY {
+            let cut = Stretch::slab((low, 0), (high, 0), o.z, d.z)?;
+            (enter, leave) = (enter.max(cut.enter.t), leave.min(cut.leave.t));
+        }
+        (enter < leave && leave.is_finite() && enter.is_finite()).then_some(Span {
+            enter,
+            leave,
+            square: [c, b, a],
+            strength: self.strength,
+            peak: (self.strength * rest * rest).max(0.0),
+        })
+    }
+}
+
+/// The share of the squared distance by which a ray must pass a field, far more than it is rounded by.
+const CLEAR: f64 = 1e-12;
+
+fn around_ball(transform: &Transform) -> Bounds {
+    let m = transform.forward.matrix3.transpose();
+    let half = DVec3::new(m.x_axis.length(), m.y_axis.length(), m.z_axis.length()) * (1.0 + 1e-12);
+    let center = transform.forward.translation;
+    Bounds { min: center - half, max: center + half }
+}
+
+/// The stretch of a ray in a part's field.
+pub(super) struct Span {
+    pub(super) enter: f64,
+    pub(super) leave: f64,
+    /// c, b, a of the squared distance a t² + 2 b t + c.
+    square: [f64; 3],
+    strength: f64,
+    /// The field is nowhere more.
+    pub(super) peak: f64,
+}
+
+impl Span {
+    /// Adds the Bernstein coefficients of the field between two distances within the span: the squares of those of
+    /// what is left of the squared distance to the border.
+    #[inline(always)]
+    pub(super) fn add_between(&self, from: f64, to: f64, sums: &mut [f64; 5]) {
+        let [c, b, a] = self.square;
+        let p = 1.0 - (c + from * (2.0 * b + from * a));
+        let q = 1.0 - (c + b * (from + to) + a * from * to);
+        let r = 1.0 - (c + to * (2.0 * b + to * a));
+        let strength = self.strength;
+        sums[0] += strength * (p * p);
+        sums[1] += strength * (p * q);
+        sums[2] += strength * ((p * r + 2.0 * q * q) / 3.0);
+        sums[3] += strength * (q * r);
+        sums[4] += strength * (r * r);
+    }
+
+    /// Where the field is strongest, if that is within the span.
+    #[inline(always)]
+    pub(super) fn middle(&self) -> f64 {
+        let [_, b, a] = self.square;
+        let middle = -b / a;
+        if self.enter <= middle && middle <= self.leave { middle } else { f64::INFINITY }
+    }
+
+    /// Adds the field as a polynomial in the distance from `start`.
+    pub(super) fn add(&self, start: f64, quartic: &mut [f64; 5]) {
+        let [c, b, a] = self.square;
+        let (e, f, g) = (1.0 - (c + start * (2.0 * b + start * a)), -2.0 * (b + a * start), -a);
+        let terms = [e * e, 2.0 * e * f, f * f + 2.0 * e * g, 2.0 * f * g, g * g];
+        for (sum, term) in quartic.iter_mut().zip(terms) {
+            *sum += self.strength * term;
+        }
+    }
+}
