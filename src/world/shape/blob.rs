@@ -319,6 +319,8 @@ impl Shape for Blob {
 mod tests {
     use super::super::battery::{battery, table};
     use super::*;
+    use crate::math::Transform;
+    use crate::math::dice::numbers;
 
     fn ball(center: [f64; 3], radius: f64, strength: f64) -> Part {
         let place = Transform::scale(DVec3::splat(radius)).then(&Transform::translate(center.into()));
@@ -391,6 +393,31 @@ mod tests {
         });
         found.sort_by_key(|(texture, _)| *texture);
         assert_eq!(found, [(4, 0.25), (OWN_TEXTURE, 0.75)]);
+    }
+
+    #[test]
+    fn what_is_in_the_way_of_light_is_what_would_be_met() {
+        let all = [
+            three(1.0, DVec3::ZERO),
+            Blob::new(vec![ball([0.5; 3], 1.0, 1.0), ball([0.0; 3], 1.2, 2.0)], 0.4),
+        ];
+        let mut number = numbers(11);
+        let mut seen = [0; 2];
+        for blob in all {
+            for _ in 0..5000 {
+                let mut point = || 1.5 * DVec3::new(number(), number(), number());
+                let ray = Ray::new(point(), point());
+                let range = Range { min: 0.0, max: 4.0 * number().abs() };
+                let mut crossings = Vec::new();
+                blob.crossings(&ray, range, &mut crossings);
+                let nearest = blob.nearest(&ray, range);
+                let gap = crossings.first().zip(nearest.as_ref()).map_or(0.0, |(one, other)| one.t - other.t);
+                assert!(gap.abs() < 1e-12 && crossings.is_empty() == nearest.is_none(), "{ray:?} {range:?}");
+                assert_eq!(blob.occludes(&ray, range), nearest.is_some(), "{ray:?} {range:?}");
+                seen[usize::from(nearest.is_some())] += 1;
+            }
+        }
+        assert!(seen[0] > 1000 && seen[1] > 1000, "{seen:?}");
     }
 
     #[test]

@@ -97,15 +97,11 @@ impl Poly {
     fn at_home(&self, ray: &Ray, start: f64) -> Option<[f64; 2]> {
         match self.home {
             Home::Anywhere => Some(LINE),
-            Home::Ball(center, radius) => {
-                let square = radius * radius - (ray.origin - center).length_squared();
-                let half = (square.max(0.0) / ray.direction.length_squared()).sqrt();
-                Some(if half > 0.0 { [-half, half] } else { LINE })
-            }
+            Home::Ball(center, radius) => Some(in_ball(ray, center, radius)),
             Home::Gate(gate) => {
-                let span = gate.span(ray).filter(|span| span.leave.t >= start)?;
-                let [enter, leave] = [span.enter.t, span.leave.t];
-                Some(if leave.is_finite() && enter < leave { [enter, leave] } else { LINE })
+                gate.span(ray).filter(|span| span.leave.t >= start)?;
+                // Nearer to a surface than the ball around the box more terms change their sign.
+                Some(in_ball(ray, 0.5 * (gate.min + gate.max), 0.5 * gate.min.distance(gate.max)))
             }
         }
     }
@@ -236,6 +232,14 @@ impl Poly {
     }
 }
 
+/// The part of a ray in a ball to the middle of which its origin is nearest, or all of it.
+#[inline(always)]
+fn in_ball(ray: &Ray, center: DVec3, radius: f64) -> [f64; 2] {
+    let square = radius * radius - (ray.origin - center).length_squared();
+    let half = (square.max(0.0) / ray.direction.length_squared()).sqrt();
+    if half > 0.0 { [-half, half] } else { LINE }
+}
+
 /// A line parted by a stretch of it.
 #[inline(always)]
 fn parted([low, high]: [f64; 2]) -> [[f64; 2]; 3] {
@@ -323,6 +327,7 @@ impl Shape for Poly {
 mod tests {
     use super::super::battery::{Probe, battery, table};
     use super::*;
+    use crate::math::dice::numbers;
 
     /// A polynomial from its terms, as of a `polynomial` statement.
     fn terms(degree: usize, terms: &[([usize; 3], f64)]) -> Poly {
@@ -422,6 +427,37 @@ mod tests {
             &terms(4, &[([4, 0, 0], 1e-8), ([1, 0, 0], 1.0), ([0, 0, 0], -1.0)]),
             "from <-5,0,0> dir <1,0,0> | P <0.999999990000276, 0, 0> N <1, 0, 0>",
         );
+    }
+
+    #[test]
+    fn where_roots_are_looked_for_first_changes_none_of_them() {
+        let (free, gate) = (torus(1.0), Cuboid { min: DVec3::splat(-0.6), max: DVec3::new(1.1, 0.4, 1.1) });
+        let ball = free.at_home_in(DVec3::new(0.3, 0.0, 0.1), 0.7).unwrap();
+        let gated = free.behind_gate(gate).unwrap();
+        let mut number = numbers(7);
+        let (mut met, mut kept_out) = (0, 0);
+        for _ in 0..10_000 {
+            let mut point = || 2.0 * DVec3::new(number(), number(), number());
+            let (ray, range) = (Ray::new(point(), point()), Range { min: 0.0, max: 3.0 });
+            let all = |shape: &dyn Shape| {
+                let mut all = Vec::new();
+                shape.crossings(&ray, range, &mut all);
+                all
+            };
+            let found = all(&free);
+            let agree = |others: Vec<Crossing>| {
+                others.len() == found.len() && found.iter().zip(others).all(|(a, b)| (a.t - b.t).abs() < 1e-7)
+            };
+            assert!(agree(all(&*ball)), "{ray:?}");
+            let passes = gate.stretch(&ray).is_some_and(|stretch| stretch.leave.t >= 0.0);
+            assert!(if passes { agree(all(&*gated)) } else { all(&*gated).is_empty() }, "{ray:?}");
+            for shape in [&free, &*ball, &*gated] as [&dyn Shape; 3] {
+                assert_eq!(shape.occludes(&ray, range), !all(shape).is_empty(), "{ray:?}");
+            }
+            met += u32::from(!found.is_empty());
+            kept_out += u32::from(!passes && !found.is_empty());
+        }
+        assert!(met > 1000 && kept_out > 10, "{met} {kept_out}");
     }
 
     #[test]
