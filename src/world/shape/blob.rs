@@ -222,7 +222,8 @@ impl Blob {
                 if (from.1 > 0.0) != (to.1 > 0.0) {
                     // Only where gaps meet can there be a change without a root.
                     let root = seeds.get(i).copied().unwrap_or_else(|| between(from, to, at));
-                    if !found(start + root + shift) {
+                    // Beyond, parts are missing.
+                    if start + root > brief || !found(start + root + shift) {
                         return walked;
                     }
                 }
