@@ -7,7 +7,7 @@ use super::texture::TextureCompiler;
 use crate::scene;
 use crate::scene::function::{BinaryOp, Builtin, Expr, FunctionBody};
 use crate::world::function::tape::{Code, Op, Register};
-use crate::world::function::{Body, Tape, Unary};
+use crate::world::function::{Body, Internal, Tape, Unary};
 
 /// How deep an expression may go; chains of operators are not deep.
 const DEEPEST: u32 = 500;
@@ -65,6 +65,9 @@ impl<'w, 'a> Writer<'w, 'a> {
         };
         for op in &mut self.ops {
             (op.to, op.a, op.b) = (settle(op.to), settle(op.a), settle(op.b));
+            if let Code::Internal(_, others) = &mut op.code {
+                *others = others.map(settle);
+            }
         }
         let tape = Tape::new(self.function.parameters, first, self.constants, self.ops, settle(result));
         let tape = tape.ok_or_else(|| too_big(self.function))?;
@@ -312,12 +315,40 @@ impl<'w, 'a> Writer<'w, 'a> {
         {
             return self.write_out(body, arguments);
         }
+        if let (Body::Internal(internal), [x, y, z, parameters @ ..]) = (&compiled.body, arguments) {
+            return self.internal(*internal, [x, y, z], parameters);
+        }
         let mark = self.arguments(arguments)?;
-        let code = match &compiled.body {
-            Body::Internal(internal) => Code::Internal(*internal),
-            _ => Code::Call(compiled, component),
+        self.result(mark, Code::Call(compiled, component), mark as Register, mark as Register)
+    }
+
+    fn internal(
+        &mut self,
+        internal: Internal,
+        [x, y, z]: [&Expr; 3],
+        parameters: &[Expr],
+    ) -> Result<Register, Unsupported> {
+        let mark = self.used;
+        let (x, y, z) = (self.value(x)?, self.value(y)?, self.value(z)?);
+        let first = match parameters.iter().map(number).collect::<Option<Vec<_>>>() {
+            Some(numbers) => self.run_of_constants(&numbers)?,
+            None => self.arguments(parameters)? as Register,
         };
-        self.result(mark, code, mark as Register, mark as Register)
+        self.result(mark, Code::Internal(internal, [y, z]), x, first)
+    }
+
+    /// The first of the registers in a row that hold these constants.
+    fn run_of_constants(&mut self, values: &[f64]) -> Result<Register, Unsupported> {
+        let is_same = |run: &[f64]| run.iter().zip(values).all(|(a, b)| a.to_bits() == b.to_bits());
+        let known = self.constants.windows(values.len().max(1)).position(is_same);
+        let index = known.unwrap_or(self.constants.len());
+        if known.is_none() {
+            self.constants.extend_from_slice(values);
+        }
+        if index + values.len() > Tape::MOST_REGISTERS {
+            return Err(too_big(self.function));
+        }
+        Ok(index as Register | CONSTANT)
     }
 
     /// Writes the expression of a function instead of a call.
@@ -388,6 +419,15 @@ fn is_short(expression: &Expr, steps: &mut u32) -> bool {
         }
         Expr::Sum(parts) | Expr::Product(parts) => all(&**parts),
         Expr::Recursion(_) => false,
+    }
+}
+
+/// The number that an expression is.
+fn number(expression: &Expr) -> Option<f64> {
+    match expression {
+        Expr::Constant(value) => Some(*value),
+        Expr::Negate(e) => number(e).map(|value| -value),
+        _ => None,
     }
 }
 

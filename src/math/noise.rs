@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::tally;
+use super::{Lanes, tally};
 use tables::{HASH, HASH_SIZE, PERLIN, PERLIN_SIZE, Stream, UNIFORM, UNIFORM_SIZE};
 
 /// What POV-Ray adds where a coordinate on a boundary must fall on one side.
@@ -36,6 +36,18 @@ fn leveled(generator: u8, sum: f64) -> f64 {
         2 => ((sum + 1.05242) * 0.48985582).clamp(0.0, 1.0),
         _ => (sum + 0.5).clamp(0.0, 1.0),
     }
+}
+
+/// Noise at four points, given by their coordinates: [`noise`] of each.
+pub fn noise_at_four(generator: u8, x: Lanes, y: Lanes, z: Lanes) -> Lanes {
+    tally::noise(Lanes::COUNT);
+    #[cfg(target_arch = "x86_64")]
+    if generator != 3
+        && let Some(lattice) = avx2::Lattice::get()
+    {
+        return Lanes(lattice.four_sums(x.0, y.0, z.0).map(|sum| leveled(generator, sum)));
+    }
+    Lanes([0, 1, 2, 3].map(|i| uncounted(generator, DVec3::new(x.0[i], y.0[i], z.0[i]))))
 }
 
 /// What the corners of the cell around `p` add up to.

@@ -9,10 +9,10 @@ use std::sync::Arc;
 
 use smallvec::SmallVec;
 
-use super::sample::{Colors, Field, Sample};
+use super::sample::{Colors, Field, Sample, one_by_one};
 use crate::math::color::{GREY, grey_of};
 use crate::math::wide::widest;
-use crate::math::{Band, DVec3, Slant, Spline, Transform, tally};
+use crate::math::{Band, DVec3, Lanes, Slant, Spline, Transform, tally};
 pub use budget::Budget;
 pub use internal::Internal;
 pub(crate) use number::Number;
@@ -29,6 +29,8 @@ pub struct Function {
     /// What it computes.
     pub body: Body,
     known: bool,
+    /// Whether values are rounded to single precision.
+    single: bool,
 }
 
 /// What a [`Function`] computes.
@@ -58,7 +60,12 @@ impl Function {
             Body::Spline(_) => true,
             Body::Pigment(pigment) => pigment.is_known(),
         };
-        Self { parameters, depth, body, known }
+        let single = match &body {
+            Body::Tape(tape) => tape.is_single(),
+            Body::Pigment(_) => true,
+            _ => false,
+        };
+        Self { parameters, depth, body, known, single }
     }
 
     /// The value: of functions with several components, the first. Missing arguments count as 0.
@@ -214,6 +221,17 @@ impl Field for Function {
         self.call(&point.to_array())
     }
 
+    fn at_four(&self, point: &[Lanes; 3]) -> Lanes {
+        let found = match &self.body {
+            Body::Tape(tape) => widest(
+                #[inline(always)]
+                || tape.run_four(point, &Budget::default()),
+            ),
+            _ => None,
+        };
+        found.inspect(|_| tally::functions(Lanes::COUNT)).unwrap_or_else(|| one_by_one(self, point))
+    }
+
     fn enclose(&self, point: &[Band; 3]) -> Band {
         widest(
             #[inline(always)]
@@ -230,5 +248,9 @@ impl Field for Function {
 
     fn is_known(&self) -> bool {
         self.is_known()
+    }
+
+    fn is_single(&self) -> bool {
+        self.single
     }
 }

@@ -17,8 +17,9 @@ pub enum Operation {
     Intersection,
 }
 
-/// Compounds of more convex members are searched by boxes.
-pub(super) const MOST_CONVEX: usize = 8;
+/// Compounds of more convex members are searched by boxes, and so are those of more members that have boxes.
+pub(super) const MOST_CONVEX: usize = 16;
+const MOST_BOXED: usize = 8;
 
 /// A compound.
 #[derive(Debug)]
@@ -61,7 +62,9 @@ fn is_convex(operation: Operation, members: &[Member], parts: &Parts) -> bool {
         Member::Group(_) => None,
     };
     let first = members.first().and_then(hidden);
-    first.is_some() && members.len() <= MOST_CONVEX && members.iter().all(|member| hidden(member) == first)
+    let boxed = members.iter().filter(|&&member| parts.extent(member).bounds.is_finite()).count();
+    let few = members.len() <= MOST_CONVEX && boxed <= MOST_BOXED;
+    few && first.is_some() && members.iter().all(|member| hidden(member) == first)
 }
 
 impl Group {

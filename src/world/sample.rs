@@ -1,7 +1,7 @@
 //! What is known at a point where patterns, pigments and normals are asked for, and how they,
 //! functions and shapes see each other.
 
-use crate::math::{Band, DVec2, DVec3, Rgbft, Slant};
+use crate::math::{Band, DVec2, DVec3, Lanes, Rgbft, Slant};
 use crate::world::warp::Warps;
 
 /// A place where a texture is evaluated.
@@ -100,6 +100,11 @@ pub trait Field: Send + Sync + std::fmt::Debug {
         self.value(&Sample::at(point))
     }
 
+    /// The numbers at four such points, given by their coordinates.
+    fn at_four(&self, point: &[Lanes; 3]) -> Lanes {
+        one_by_one(self, point)
+    }
+
     /// What holds the numbers at all points without a surface whose coordinates these hold.
     fn enclose(&self, _point: &[Band; 3]) -> Band {
         Band::UNKNOWN
@@ -120,6 +125,16 @@ pub trait Field: Send + Sync + std::fmt::Debug {
     fn is_known(&self) -> bool {
         false
     }
+
+    /// Whether the numbers are rounded to single precision, as those of colours are.
+    fn is_single(&self) -> bool {
+        false
+    }
+}
+
+/// A field at four points, one after the other.
+pub fn one_by_one<F: Field + ?Sized>(field: &F, [x, y, z]: &[Lanes; 3]) -> Lanes {
+    Lanes([0, 1, 2, 3].map(|i| field.at(DVec3::new(x.0[i], y.0[i], z.0[i]))))
 }
 
 /// Gives a colour at every sample: pigments.

@@ -218,6 +218,7 @@ impl Band {
     }
 
     /// Noise at points, before it is brought to 0 … 1 by force; or those two, where that says more.
+    #[inline(always)]
     pub fn noise_of(generator: u8, point: [Self; 3]) -> Self {
         let [x, y, z] = point;
         let found = along(

@@ -3,17 +3,22 @@
 use std::f64::consts::TAU;
 
 use super::{Band, Strip};
+use crate::math::noise::along::LATTICE;
 use crate::math::noise::{Octaves, vector_noise};
+use crate::math::wide::widest;
 use crate::math::{DVec3, Lanes, Spline};
 
-/// How steep a component of vector noise is along an axis, at most (`math::noise::along`).
-const STEEPEST: f64 = 7.0;
+/// How steep a component of vector noise is along any line, at most (`math::noise::along`).
+const STEEPEST: f64 = LATTICE.first;
 
-/// How fast that changes along any line, at most.
-const BEND: f64 = 60.0;
+/// How fast that changes, at most.
+const BEND: f64 = LATTICE.second;
 
 /// More than the largest component: on the average of the corners' weights distances are at most 1/2.
 const MOST: f64 = 2.0;
+
+/// The square of half the length of stretches over which [`Band::noise_of`] says nothing.
+const VAGUE: f64 = 0.17;
 
 /// What the noise loses where it cuts coordinates off, and to their rounding, as a share.
 const SLOP: [f64; 2] = [1e-9, 64.0 * f64::EPSILON];
@@ -21,7 +26,14 @@ const SLOP: [f64; 2] = [1e-9, 64.0 * f64::EPSILON];
 impl Band {
     /// Noise at points, 0 … 1.
     pub fn noise(generator: u8, point: [Self; 3]) -> Self {
-        Self::noise_of(generator, point).max(Self::constant(0.0)).min(Self::constant(1.0))
+        let [x, y, z] = point.map(|c| c.slope);
+        if (x * x + y * y + z * z - VAGUE).all_positive() {
+            return Self { reach: Lanes::splat(0.5), ..Self::constant(0.5) };
+        }
+        widest(
+            #[inline(always)]
+            || Self::noise_of(generator, point).max(Self::constant(0.0)).min(Self::constant(1.0)),
+        )
     }
 
     /// A sine of period 1.

@@ -64,6 +64,12 @@ impl Lattice {
         unsafe { self.several(p.x, p.y, p.z, scales, sums) }
     }
 
+    /// What the corners around four points add up to, which are given by their coordinates.
+    pub(super) fn four_sums(&self, x: [f64; 4], y: [f64; 4], z: [f64; 4]) -> [f64; 4] {
+        // SAFETY: a `Lattice` exists only where there is AVX2.
+        unsafe { self.four_points(x, y, z) }
+    }
+
     /// Vector noise at `p` scaled by each of `scales`.
     pub(super) fn vectors(&self, p: DVec3, scales: &[f64], vectors: &mut [DVec3]) {
         // SAFETY: a `Lattice` exists only where there is AVX2.
@@ -152,6 +158,12 @@ impl Lattice {
             }
         }
         sum
+    }
+
+    #[target_feature(enable = "avx2")]
+    fn four_points(&self, x: [f64; 4], y: [f64; 4], z: [f64; 4]) -> [f64; 4] {
+        let lanes = |[a, b, c, d]: [f64; 4]| _mm256_set_pd(d, c, b, a);
+        each(self.four(lanes(x), lanes(y), lanes(z)))
     }
 
     /// Four points, one in each lane.

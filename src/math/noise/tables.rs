@@ -54,6 +54,12 @@ pub(super) static GRADIENT: LazyLock<[f64; GRADIENTS]> = LazyLock::new(|| {
     })
 });
 
+/// For each number of a corner half an entry of the gradient table, and the three after it.
+pub(super) static SLOPES: LazyLock<Box<[[f64; 4]; 256]>> = LazyLock::new(|| {
+    let r = &*GRADIENT;
+    Box::new(std::array::from_fn(|m| [0.5 * r[m], r[m + 1], r[m + 2], r[m + 3]]))
+});
+
 /// The published table has six significant digits.
 fn round_to_six_digits(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
@@ -96,6 +102,8 @@ pub(super) struct Perlin {
     pub(super) shuffle: [u16; PERLIN_SIZE],
     /// G.
     pub(super) gradient: [DVec3; PERLIN_SIZE],
+    /// The same behind a 0, as [`SLOPES`] are behind heights.
+    pub(super) slopes: [[f64; 4]; PERLIN_SIZE],
 }
 
 /// See [`Perlin`].
@@ -118,7 +126,8 @@ pub(super) static PERLIN: LazyLock<Box<Perlin>> = LazyLock::new(|| {
     for i in (2..=PERLIN_SIZE).rev().step_by(2) {
         shuffle.swap(i, stream.next() % PERLIN_SIZE);
     }
-    Box::new(Perlin { shuffle: std::array::from_fn(|k| shuffle[k]), gradient })
+    let slopes = gradient.map(|g| [0.0, g.x, g.y, g.z]);
+    Box::new(Perlin { shuffle: std::array::from_fn(|k| shuffle[k]), gradient, slopes })
 });
 
 /// Whether any of the tables has been made.

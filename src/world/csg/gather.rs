@@ -293,7 +293,8 @@ impl Parts {
     }
 
     /// Whether `bounded_by` lets the ray pass to the object.
-    fn admits(&self, member: Member, ray: &Ray) -> bool {
+    #[inline]
+    pub(super) fn admits(&self, member: Member, ray: &Ray) -> bool {
         let bounds = self.limits(member).map_or(&[][..], |limits| &limits.bounds);
         bounds.iter().all(|&bound| {
             // Of what is convex the stretch inside says it all.

@@ -75,7 +75,7 @@ impl Parts {
     /// As [`Parts::nearest`], for what is cut or made of several primitives.
     fn nearest_of_many(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
         if let Some(group) = self.as_convex(member) {
-            if self.is_hidden(group, kind) {
+            if self.is_hidden(group, kind) || !self.admits(member, ray) {
                 return None;
             }
             if let Some(nearest) = self.nearest_of_convex(group, ray, range) {
@@ -88,7 +88,7 @@ impl Parts {
     /// Whether anything of an object's surface is in `range`.
     pub(super) fn occludes(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> bool {
         if let Some(group) = self.as_convex(member) {
-            if self.is_hidden(group, kind) {
+            if self.is_hidden(group, kind) || !self.admits(member, ray) {
                 return false;
             }
             if let Some(occludes) = self.occludes_convex(group, ray, range) {
@@ -109,10 +109,12 @@ impl Parts {
         self.leaf(number).limits.as_ref().is_none_or(|limits| limits.clips.is_empty()).then_some(number)
     }
 
-    /// The member if it is a compound of a few convex solids.
+    /// The member if it is a compound of a few convex solids of which nothing is clipped away.
     fn as_convex(&self, member: Member) -> Option<&Group> {
         let Member::Group(number) = member else { return None };
-        Some(self.group(number)).filter(|group| group.convex && group.limits.is_none())
+        Some(self.group(number)).filter(|group| {
+            group.convex && group.limits.as_ref().is_none_or(|limits| limits.clips.is_empty())
+        })
     }
 
     /// Whether such rays don't see a compound whose members are all hidden from the same.
@@ -160,7 +162,7 @@ impl Parts {
         mut visit: impl FnMut(Found) -> bool,
     ) -> bool {
         if let Some(group) = self.as_convex(member) {
-            if self.is_hidden(group, kind) {
+            if self.is_hidden(group, kind) || !self.admits(member, ray) {
                 return false;
             }
             let known = widest(

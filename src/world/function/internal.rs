@@ -5,11 +5,13 @@ mod solids;
 mod surfaces;
 mod turned;
 
-use super::number::{Number, Unary};
-use crate::math::{Band, Slant};
+use smallvec::SmallVec;
 
-/// A formula of a point and up to ten parameters.
-type Formula<N> = fn(N, N, N, &[N; PARAMETERS]) -> N;
+use super::number::{Number, Unary};
+use crate::math::{Band, Lanes, Slant};
+
+/// A formula of a point and its parameters, of which there are as many as it asks for.
+type Formula<N> = fn(N, N, N, &[N]) -> N;
 
 /// The most parameters a formula has, besides the point.
 const PARAMETERS: usize = 10;
@@ -20,6 +22,7 @@ pub struct Internal {
     /// How many numbers it takes, the point among them.
     pub parameters: usize,
     formula: Formula<f64>,
+    lanes: Formula<Lanes>,
     bands: Formula<Band>,
     slants: Formula<Slant>,
 }
@@ -29,9 +32,10 @@ impl Internal {
     /// `None` where there is none.
     pub fn new(number: u8, generator: u8) -> Option<Self> {
         let (parameters, formula) = find(number, generator)?;
+        let (_, lanes) = find(number, generator)?;
         let (_, bands) = find(number, generator)?;
         let (_, slants) = find(number, generator)?;
-        Some(Self { parameters: parameters + 3, formula, bands, slants })
+        Some(Self { parameters: parameters + 3, formula, lanes, bands, slants })
     }
 
     /// The value; missing arguments count as 0.
@@ -49,19 +53,41 @@ impl Internal {
         self.apply(self.slants, arguments)
     }
 
-    #[inline]
     fn apply<N: Number>(&self, formula: Formula<N>, arguments: &[N]) -> N {
-        // Formulas read their own parameters only: what is behind them needs no clearing away.
-        if let [x, y, z, rest @ ..] = arguments
-            && let Some(p) = rest.first_chunk()
-        {
-            return formula(*x, *y, *z, p);
-        }
         let mut all = [N::constant(0.0); PARAMETERS + 3];
         let given = arguments.len().min(self.parameters);
         all[..given].copy_from_slice(&arguments[..given]);
         let [x, y, z, p @ ..] = all;
         formula(x, y, z, &p)
+    }
+
+    /// The value at a point, with all parameters.
+    #[inline]
+    pub(super) fn number(&self, [x, y, z]: [f64; 3], parameters: &[f64]) -> f64 {
+        (self.formula)(x, y, z, parameters)
+    }
+
+    /// The values at four points.
+    pub(super) fn four(&self, [x, y, z]: [Lanes; 3], parameters: &[Lanes]) -> Lanes {
+        if parameters.iter().all(|parameter| parameter.fixed().is_some()) {
+            return (self.lanes)(x, y, z, parameters);
+        }
+        // Formulas take ways that depend on their parameters.
+        Lanes([0, 1, 2, 3].map(|i| {
+            let one: SmallVec<[f64; PARAMETERS]> = parameters.iter().map(|p| p.0[i]).collect();
+            (self.formula)(x.0[i], y.0[i], z.0[i], &one)
+        }))
+    }
+
+    /// What holds the values at all points that these hold.
+    #[inline]
+    pub(super) fn band(&self, [x, y, z]: [Band; 3], parameters: &[Band]) -> Band {
+        (self.bands)(x, y, z, parameters)
+    }
+
+    /// The same with how fast they rise.
+    pub(super) fn slanted(&self, [x, y, z]: [Slant; 3], parameters: &[Slant]) -> Slant {
+        (self.slants)(x, y, z, parameters)
     }
 }
 

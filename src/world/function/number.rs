@@ -1,13 +1,14 @@
-//! What formulas are written for: numbers, bands of numbers over a stretch of a line, and bands with how fast they
-//! rise.
+//! What formulas are written for: numbers, four of them side by side, bands of numbers over stretches of a line, and
+//! bands with how fast they rise.
 
+mod band;
+mod lanes;
 mod slant;
 
-use std::f64::consts::{LN_10, PI};
+use std::f64::consts::PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::math::wide::widest;
-use crate::math::{Band, DVec3, Lanes, hyperbolic, noise};
+use crate::math::{DVec3, hyperbolic, noise};
 
 /// A number that formulas can compute with, or what holds all numbers it may be.
 pub(crate) trait Number:
@@ -34,8 +35,8 @@ pub(crate) trait Number:
     fn is_zero(self) -> Option<bool>;
     /// `negative` where `self` is below 0, else `other`; both where that isn't sure.
     fn choose(self, negative: Self, other: Self) -> Self;
-    /// What may be this or `other`.
-    fn either(self, other: Self) -> Self;
+    /// `zero` where `self` is 0, else `other`; both where that isn't sure.
+    fn either(self, zero: Self, other: Self) -> Self;
     /// The larger; not what is no number.
     fn max(self, other: Self) -> Self;
     /// The smaller; not what is no number.
@@ -62,6 +63,8 @@ pub(crate) trait Number:
     fn and(self, other: Self) -> Self;
     /// 1 where it is 0, else 0.
     fn not(self) -> Self;
+    /// Its second power.
+    fn square(self) -> Self;
     /// A function of it.
     fn unary(self, function: Unary) -> Self;
     /// Noise at a point.
@@ -159,7 +162,7 @@ pub enum Unary {
 /// A low power, in the order in which POV-Ray multiplies.
 #[inline(always)]
 fn low_power<N: Number>(e: N, exponent: u8) -> N {
-    let square = e.unary(Unary::Square);
+    let square = e.square();
     match exponent {
         3 => square * e,
         4 => square * square,
@@ -216,8 +219,8 @@ impl Number for f64 {
         if self < 0.0 { negative } else { other }
     }
 
-    fn either(self, _other: Self) -> Self {
-        self
+    fn either(self, zero: Self, other: Self) -> Self {
+        if self == 0.0 { zero } else { other }
     }
 
     #[inline(always)]
@@ -291,6 +294,11 @@ impl Number for f64 {
     }
 
     #[inline(always)]
+    fn square(self) -> Self {
+        self * self
+    }
+
+    #[inline(always)]
     fn unary(self, function: Unary) -> Self {
         match function {
             Unary::Abs => Self::abs(self),
@@ -330,154 +338,5 @@ impl Number for f64 {
     #[inline(always)]
     fn noise(generator: u8, [x, y, z]: [Self; 3]) -> Self {
         noise::noise(generator, DVec3::new(x, y, z))
-    }
-}
-
-impl Number for Band {
-    #[inline(always)]
-    fn wide(formula: impl FnOnce() -> Self) -> Self {
-        widest(formula)
-    }
-
-    #[inline(always)]
-    fn constant(v: f64) -> Self {
-        Self::constant(v)
-    }
-
-    fn fixed(self) -> Option<f64> {
-        Self::fixed(self)
-    }
-
-    fn unknown() -> Self {
-        Self::UNKNOWN
-    }
-
-    #[inline(always)]
-    fn is_negative(self) -> Option<bool> {
-        if (-self.high()).all_positive() {
-            return Some(true);
-        }
-        let low = self.low();
-        (low.all_positive() || low.0.into_iter().all(|v| v >= 0.0)).then_some(false)
-    }
-
-    fn is_zero(self) -> Option<bool> {
-        if self.low().all_positive() || (-self.high()).all_positive() {
-            return Some(false);
-        }
-        (self.fixed() == Some(0.0)).then_some(true)
-    }
-
-    fn choose(self, negative: Self, other: Self) -> Self {
-        let other = other.where_positive(self.low(), negative.hull(other));
-        negative.where_positive(-self.high(), other)
-    }
-
-    fn either(self, other: Self) -> Self {
-        self.hull(other)
-    }
-
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Self::max(self, other)
-    }
-
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        Self::min(self, other)
-    }
-
-    #[inline(always)]
-    fn upper(self, other: Self) -> Self {
-        Self::max(self, other)
-    }
-
-    #[inline(always)]
-    fn lower(self, other: Self) -> Self {
-        Self::min(self, other)
-    }
-
-    fn powi(self, exponent: i32) -> Self {
-        let power = Self::powi(self, exponent.unsigned_abs());
-        if exponent < 0 { power.inverse() } else { power }
-    }
-
-    fn powf(self, exponent: Self) -> Self {
-        Self::powf(self, exponent)
-    }
-
-    fn rem(self, divisor: Self) -> Self {
-        self.remainder(divisor)
-    }
-
-    fn atan2(self, x: Self) -> Self {
-        Self::atan2(self, x)
-    }
-
-    fn less(self, other: Self) -> Self {
-        Self::less(self, other)
-    }
-
-    fn less_equal(self, other: Self) -> Self {
-        Self::less_equal(self, other)
-    }
-
-    fn equal(self, other: Self) -> Self {
-        Self::equal(self, other)
-    }
-
-    fn and(self, other: Self) -> Self {
-        Self::and(self, other)
-    }
-
-    fn not(self) -> Self {
-        self.is_false()
-    }
-
-    #[inline(always)]
-    fn unary(self, function: Unary) -> Self {
-        match function {
-            Unary::Abs => Self::abs(self),
-            Unary::Sqrt => Self::sqrt(self),
-            Unary::Square => self.square(),
-            Unary::Sin => self.sin_cos().0,
-            Unary::Cos => self.sin_cos().1,
-            Unary::Power(exponent) => low_power(self, exponent),
-            _ => rare(self, function),
-        }
-    }
-
-    fn noise(generator: u8, point: [Self; 3]) -> Self {
-        Self::noise(generator, point)
-    }
-}
-
-fn rare(band: Band, function: Unary) -> Band {
-    match function {
-        Unary::Acos => band.acos(),
-        Unary::Acosh => band.acosh(),
-        Unary::Asin => band.asin(),
-        Unary::Asinh => band.asinh(),
-        Unary::Atan => band.atan(),
-        Unary::Atanh => band.atanh(),
-        Unary::Ceil => band.ceil(),
-        Unary::Cosh => band.cosh(),
-        Unary::Degrees => band * (180.0 / PI),
-        Unary::Exp => band.exp(),
-        Unary::Floor => band.floor(),
-        Unary::Int => {
-            let fits = Lanes::splat(f64::from(i32::MAX)) - band.middle.abs() - band.spread();
-            band.stepped(f64::trunc).where_positive(fits, Band::UNKNOWN)
-        }
-        Unary::Ln => band.ln(),
-        Unary::Log => band.ln() * (1.0 / LN_10),
-        Unary::Radians => band * (PI / 180.0),
-        Unary::Sinh => band.sinh(),
-        Unary::Tan => {
-            let (sin, cos) = band.sin_cos();
-            sin * cos.inverse()
-        }
-        Unary::Tanh => band.tanh(),
-        _ => band.unary(function),
     }
 }

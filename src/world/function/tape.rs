@@ -7,7 +7,7 @@ use smallvec::SmallVec;
 use super::number::{Number, Unary};
 use super::{Budget, Function, Internal};
 use crate::math::color::{GREY, grey_of};
-use crate::math::{Band, Slant};
+use crate::math::{Band, Lanes, Slant};
 
 /// A register's number. Parameters come first, intermediate values next, constants last.
 pub type Register = u16;
@@ -56,8 +56,8 @@ pub enum Code {
     Next,
     /// A function of `a`.
     Unary(Unary),
-    /// An internal function of the registers from `a` on.
-    Internal(Internal),
+    /// An internal function of the point in `a` and these, with its parameters in the registers from `b` on.
+    Internal(Internal, [Register; 2]),
     /// The component with this index, or their grey, of a function of the registers from `a` on.
     Call(Arc<Function>, u8),
     /// The tape itself, of the registers from `a` on.
@@ -91,8 +91,8 @@ pub struct Tape {
 pub(super) trait Operand: Number {
     /// A component of a function.
     fn call(function: &Function, arguments: &[Self], component: u8, budget: &Budget) -> Self;
-    /// An internal function.
-    fn internal(internal: &Internal, arguments: &[Self]) -> Self;
+    /// An internal function of a point and as many parameters as it has.
+    fn internal(internal: &Internal, point: [Self; 3], parameters: &[Self]) -> Self;
     /// The value of a tape that calls itself.
     fn recursion(tape: &Tape, arguments: &[Self], budget: &Budget) -> Self;
     /// Runs a part of a tape out of line.
@@ -133,6 +133,12 @@ impl Tape {
         self.evaluate(arguments, budget)
     }
 
+    /// Four values at once; `None` where they take ways that are too different.
+    #[inline(always)]
+    pub fn run_four(&self, arguments: &[Lanes], budget: &Budget) -> Option<Lanes> {
+        self.try_evaluate(arguments, budget)
+    }
+
     /// What holds the values for all arguments that are held by these.
     #[inline(always)]
     pub fn enclose(&self, arguments: &[Band], budget: &Budget) -> Band {
@@ -153,8 +159,19 @@ impl Tape {
         })
     }
 
+    /// Whether anything in it is rounded to single precision.
+    pub fn is_single(&self) -> bool {
+        self.ops.iter().any(|op| matches!(&op.code, Code::Call(function, _) if function.single))
+    }
+
     #[inline(always)]
     fn evaluate<N: Operand>(&self, arguments: &[N], budget: &Budget) -> N {
+        self.try_evaluate(arguments, budget).unwrap_or_else(N::unknown)
+    }
+
+    /// The value, unless it couldn't be computed to its end.
+    #[inline(always)]
+    fn try_evaluate<N: Operand>(&self, arguments: &[N], budget: &Budget) -> Option<N> {
         let registers = self.first_constant + self.constants.len();
         if registers <= FEW / 2 {
             self.evaluate_in::<N, { FEW / 2 }>(arguments, budget)
@@ -166,12 +183,12 @@ impl Tape {
     }
 
     #[inline(never)]
-    fn evaluate_among_many<N: Operand>(&self, arguments: &[N], budget: &Budget) -> N {
+    fn evaluate_among_many<N: Operand>(&self, arguments: &[N], budget: &Budget) -> Option<N> {
         self.evaluate_in::<N, MANY>(arguments, budget)
     }
 
     #[inline(always)]
-    fn evaluate_in<N: Operand, const SIZE: usize>(&self, arguments: &[N], budget: &Budget) -> N {
+    fn evaluate_in<N: Operand, const SIZE: usize>(&self, arguments: &[N], budget: &Budget) -> Option<N> {
         let mut r = [N::constant(0.0); SIZE];
         for (register, argument) in r.iter_mut().zip(&arguments[..arguments.len().min(self.parameters)]) {
             *register = *argument;
@@ -180,11 +197,7 @@ impl Tape {
             *register = N::constant(*constant);
         }
         let whole = Way { from: 0, to: self.ops.len() };
-        if self.steps(whole, &mut r, budget) {
-            r[usize::from(self.result) & (SIZE - 1)]
-        } else {
-            N::unknown()
-        }
+        self.steps(whole, &mut r, budget).then(|| r[usize::from(self.result) & (SIZE - 1)])
     }
 
     /// Runs a part; whether it came to its end.
@@ -203,38 +216,48 @@ impl Tape {
         {
             at += 1;
             let (a, b) = (&r[index(op.a)], &r[index(op.b)]);
-            let value = match &op.code {
-                Code::Copy => *a,
-                Code::Add => *a + *b,
-                Code::Subtract => *a - *b,
-                Code::Multiply => *a * *b,
-                Code::Divide => *a / *b,
-                Code::Less => a.less(*b),
-                Code::LessEqual => a.less_equal(*b),
-                Code::Greater => a.less_equal(*b).not(),
-                Code::GreaterEqual => a.less(*b).not(),
-                Code::Equal => a.equal(*b),
-                Code::NotEqual => a.equal(*b).not(),
-                Code::And => a.and(*b),
-                Code::Or => a.not().and(b.not()).not(),
-                Code::Min => a.lower(*b),
-                Code::Max => a.upper(*b),
-                Code::Negate => -*a,
-                Code::Power => a.powf(*b),
-                Code::Remainder => a.rem(*b),
-                Code::Quotient => a.quotient(*b),
-                Code::Atan2 => a.atan2(*b),
-                Code::Next => a.fixed().map_or_else(N::unknown, |v| N::constant(v + 1.0)),
-                Code::Unary(function) => a.unary(*function),
-                Code::Internal(internal) => N::internal(internal, &r[index(op.a)..]),
+            // Each writes its own result: a place that all wrote to first would be one more to wait for.
+            macro_rules! put {
+                ($value:expr) => {{
+                    let value = $value;
+                    r[index(op.to)] = value;
+                }};
+            }
+            match &op.code {
+                Code::Copy => put!(*a),
+                Code::Add => put!(*a + *b),
+                Code::Subtract => put!(*a - *b),
+                Code::Multiply => put!(*a * *b),
+                Code::Divide => put!(*a / *b),
+                Code::Less => put!(a.less(*b)),
+                Code::LessEqual => put!(a.less_equal(*b)),
+                Code::Greater => put!(a.less_equal(*b).not()),
+                Code::GreaterEqual => put!(a.less(*b).not()),
+                Code::Equal => put!(a.equal(*b)),
+                Code::NotEqual => put!(a.equal(*b).not()),
+                Code::And => put!(a.and(*b)),
+                Code::Or => put!(a.not().and(b.not()).not()),
+                Code::Min => put!(a.lower(*b)),
+                Code::Max => put!(a.upper(*b)),
+                Code::Negate => put!(-*a),
+                Code::Power => put!(a.powf(*b)),
+                Code::Remainder => put!(a.rem(*b)),
+                Code::Quotient => put!(a.quotient(*b)),
+                Code::Atan2 => put!(a.atan2(*b)),
+                Code::Next => put!(a.fixed().map_or_else(N::unknown, |v| N::constant(v + 1.0))),
+                Code::Unary(function) => put!(a.unary(*function)),
+                Code::Internal(internal, [y, z]) => {
+                    let parameters = &r[index(op.b)..][..internal.parameters - 3];
+                    put!(N::internal(internal, [*a, r[index(*y)], r[index(*z)]], parameters));
+                }
                 Code::Call(function, component) => {
                     if !budget.spend() {
                         return false;
                     }
                     let arguments = &r[index(op.a)..][..function.parameters];
-                    N::call(function, arguments, *component, budget)
+                    put!(N::call(function, arguments, *component, budget));
                 }
-                Code::Recursion => N::recursion(self, &r[index(op.a)..][..self.parameters], budget),
+                Code::Recursion => put!(N::recursion(self, &r[index(op.a)..][..self.parameters], budget)),
                 Code::Jump(target) => {
                     at = *target as usize;
                     continue;
@@ -262,7 +285,11 @@ impl Tape {
                                 return false;
                             }
                             let held = r[to];
-                            r[to] = if is_sign { condition.choose(held, other) } else { held.either(other) };
+                            r[to] = if is_sign {
+                                condition.choose(held, other)
+                            } else {
+                                condition.either(held, other)
+                            };
                             at = end;
                         }
                     }
@@ -280,8 +307,7 @@ impl Tape {
                     }
                     continue;
                 }
-            };
-            r[index(op.to)] = value;
+            }
         }
         true
     }
@@ -298,8 +324,8 @@ impl Operand for f64 {
     }
 
     #[inline(always)]
-    fn internal(internal: &Internal, arguments: &[Self]) -> Self {
-        internal.call(arguments)
+    fn internal(internal: &Internal, point: [Self; 3], parameters: &[Self]) -> Self {
+        internal.number(point, parameters)
     }
 
     fn recursion(tape: &Tape, arguments: &[Self], budget: &Budget) -> Self {
@@ -313,13 +339,40 @@ impl Operand for f64 {
     }
 }
 
+impl Operand for Lanes {
+    fn call(function: &Function, arguments: &[Self], component: u8, budget: &Budget) -> Self {
+        one_by_one(arguments, |arguments| f64::call(function, arguments, component, budget))
+    }
+
+    #[inline(always)]
+    fn internal(internal: &Internal, point: [Self; 3], parameters: &[Self]) -> Self {
+        internal.four(point, parameters)
+    }
+
+    fn recursion(tape: &Tape, arguments: &[Self], budget: &Budget) -> Self {
+        one_by_one(arguments, |arguments| f64::recursion(tape, arguments, budget))
+    }
+
+    fn aside<const SIZE: usize>(tape: &Tape, way: Way, r: &mut [Self; SIZE], budget: &Budget) -> bool {
+        tape.steps(way, r, budget)
+    }
+}
+
+/// A function of the arguments in each lane.
+fn one_by_one(arguments: &[Lanes], call: impl Fn(&[f64]) -> f64) -> Lanes {
+    Lanes([0, 1, 2, 3].map(|i| {
+        let one: SmallVec<[f64; 16]> = arguments.iter().map(|argument| argument.0[i]).collect();
+        call(&one)
+    }))
+}
+
 impl Operand for Band {
     fn call(function: &Function, arguments: &[Self], component: u8, budget: &Budget) -> Self {
         function.enclose_within(arguments, component, budget)
     }
 
-    fn internal(internal: &Internal, arguments: &[Self]) -> Self {
-        internal.enclose(arguments)
+    fn internal(internal: &Internal, point: [Self; 3], parameters: &[Self]) -> Self {
+        internal.band(point, parameters)
     }
 
     /// Where no choice tells when to end, nothing is known.
@@ -338,8 +391,8 @@ impl Operand for Slant {
         function.slant_within(arguments, component, budget)
     }
 
-    fn internal(internal: &Internal, arguments: &[Self]) -> Self {
-        internal.slant(arguments)
+    fn internal(internal: &Internal, point: [Self; 3], parameters: &[Self]) -> Self {
+        internal.slanted(point, parameters)
     }
 
     fn recursion(tape: &Tape, arguments: &[Self], budget: &Budget) -> Self {

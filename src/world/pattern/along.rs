@@ -27,7 +27,8 @@ impl Pattern {
     pub(super) fn along(&self, point: &Point, uv: &[Band; 2]) -> Band {
         let mut v = self.formula.along(&self.warps.along(*point), uv);
         let mut positive = self.formula.is_positive();
-        if self.frequency != 0.0 {
+        let is_plain = self.frequency == 1.0 && self.phase == 0.0 && self.formula.is_within_one();
+        if self.frequency != 0.0 && !is_plain {
             v = (v * self.frequency + self.phase).remainder(Band::constant(PERIOD));
             positive &= self.frequency > 0.0 && self.phase >= 0.0;
         }
@@ -65,6 +66,20 @@ impl Formula {
                 | Self::Pigment(_)
                 | Self::Spiral1(_)
                 | Self::Waves(_)
+        )
+    }
+
+    /// Whether raw values are from 0 to 1, for sure; there may be others of which they are.
+    fn is_within_one(&self) -> bool {
+        matches!(
+            self,
+            Self::Boxed
+                | Self::Bozo(_)
+                | Self::Bumps(_)
+                | Self::Crackle(_)
+                | Self::Cylindrical
+                | Self::Planar
+                | Self::Spherical
         )
     }
 

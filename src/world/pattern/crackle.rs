@@ -91,8 +91,14 @@ impl Metric {
         match self {
             Self::Square => sum.sqrt(),
             Self::Absolute => sum,
-            Self::Halves(_) | Self::Power(_) => sum.powf(1.0 / self.exponent()),
+            Self::Halves(_) | Self::Power(_) => self.root(sum),
         }
+    }
+
+    /// Out of line: powers are taken beforehand otherwise, for all metrics.
+    #[inline(never)]
+    fn root(self, sum: f64) -> f64 {
+        sum.powf(1.0 / self.exponent())
     }
 
     fn offset(self, offset: f64) -> f64 {

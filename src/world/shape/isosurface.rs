@@ -12,7 +12,7 @@ use super::r#box::Cuboid;
 use super::sphere::Sphere;
 use super::stretch::Stretch;
 use super::{Crossing, Remark, Shape};
-use crate::math::{Band, Bounds, DVec3};
+use crate::math::{Band, Bounds, DVec3, Lanes};
 use crate::world::sample::Field;
 use crate::world::{Range, Ray};
 use search::Search;
@@ -148,10 +148,13 @@ impl Isosurface {
         let mut push = |t: f64, lag: f64, part: u32| {
             found(Crossing { at: [lag / speed, 0.0], ..Crossing::new(begin + t / speed, part) })
         };
-        let value = search.value(0.0);
         let mut left = self.most;
-        let (mut from, mut inside) = (0.0, value < 0.0);
-        if begin > start {
+        let enters = begin > start;
+        let mut look = enters.then(|| search.look(0.0, end)).flatten();
+        let told = look.and_then(|look| look.starts_below());
+        let value = if told.is_some() { f64::NAN } else { search.value(0.0) };
+        let (mut from, mut inside) = (0.0, told.unwrap_or(value < 0.0));
+        if enters {
             if inside && !self.open {
                 left -= 1;
                 if !push(0.0, 0.0, stretch.enter.part + 1) {
@@ -167,7 +170,7 @@ impl Isosurface {
         }
         while left > 0 {
             let sign = if inside { -1.0 } else { 1.0 };
-            let Some((root, after)) = search.first(from, end, sign) else {
+            let Some((root, after)) = search.first(from, end, sign, look.take()) else {
                 break;
             };
             left -= 1;
@@ -184,7 +187,7 @@ impl Isosurface {
                 break;
             }
         }
-        if inside && !self.open && (left > 0 || self.most == 1 && begin <= start) && search.value(end) < 0.0 {
+        if inside && !self.open && (left > 0 || self.most == 1 && !enters) && search.value(end) < 0.0 {
             found(Crossing::new(stretch.leave.t, stretch.leave.part + 1));
         }
     }
@@ -231,9 +234,11 @@ impl Shape for Isosurface {
         if let Some(part) = crossing.part.checked_sub(1) {
             return self.container.shape().normal(point, &Crossing::new(crossing.t, part));
         }
-        let here = self.value(point);
-        let rise = |axis: DVec3| self.value(point + self.accuracy * axis) - here;
-        let normal = DVec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z));
+        let DVec3 { x, y, z } = point;
+        let step = self.accuracy;
+        let places = [Lanes([x, x + step, x, x]), Lanes([y, y, y + step, y]), Lanes([z, z, z, z + step])];
+        let [here, beside @ ..] = self.function.at_four(&places).map(|v| v - self.threshold).0;
+        let normal = DVec3::from_array(beside.map(|v| v - here));
         normal.try_normalize().unwrap_or(DVec3::X)
     }
 

@@ -90,7 +90,14 @@ fn product(a: DVec4, b: DVec4) -> DVec4 {
     )
 }
 
-/// Its square, given the squares of its real part and of the length of the imaginary one.
+/// The sum of both products of two quaternions, in which what the order turns round cancels.
+#[inline(always)]
+fn both_products(a: DVec4, b: DVec4) -> DVec4 {
+    let real = a.x * b.x - a.y * b.y - a.z * b.z - a.w * b.w;
+    ((a * b.x + b * a.x) * 2.0).with_x(2.0 * real)
+}
+
+/// The square of a quaternion, given the squares of its real part and of the length of the imaginary one.
 #[inline(always)]
 fn squared(q: DVec4, real: f64, imaginary: f64) -> DVec4 {
     (q * (2.0 * q.x)).with_x(real - imaginary)
@@ -175,13 +182,15 @@ impl Orbit {
             // The orbits of neighbours along the three axes, linearised.
             let mut rows = [DVec4::X, DVec4::Y, DVec4::Z];
             for _ in 0..iterations {
-                rows = rows.map(|d| match self.map {
-                    Map::Square => product(d, q) + product(q, d),
-                    _ => {
-                        let square = product(q, q);
-                        product(d, square) + product(q, product(d, q)) + product(square, d)
-                    }
-                });
+                for d in &mut rows {
+                    *d = match self.map {
+                        Map::Square => both_products(*d, q),
+                        _ => {
+                            let square = product(q, q);
+                            product(*d, square) + product(q, product(*d, q)) + product(square, *d)
+                        }
+                    };
+                }
                 q = self.apply(q);
             }
             return DVec3::from_array(rows.map(|row| row.dot(q)));

@@ -1,6 +1,6 @@
 //! Internal functions made of noise (docs/spec/language.md 4.5, at the end).
 
-use super::{Formula, Number, PARAMETERS};
+use super::{Formula, Number};
 
 /// Octaves that are summed up at most: long before, there is nothing left of their coordinates.
 const MOST_OCTAVES: f64 = 10_000.0;
@@ -29,7 +29,7 @@ fn generator_of(parameter: f64) -> u8 {
 }
 
 /// The parameters, if they are numbers: they say how often something is done.
-fn settings<N: Number>(p: &[N; PARAMETERS]) -> Option<[f64; 6]> {
+fn settings<N: Number>(p: &[N]) -> Option<[f64; 6]> {
     let mut settings = [0.0; 6];
     for (setting, parameter) in settings.iter_mut().zip(p) {
         *setting = parameter.fixed()?;
@@ -41,7 +41,7 @@ fn scaled<N: Number>([x, y, z]: [N; 3], by: f64) -> [N; 3] {
     [x * by, y * by, z * by]
 }
 
-fn hetero_mf<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
+fn hetero_mf<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
     let Some([h, lacunarity, octaves, offset, t, generator]) = settings(p) else { return N::unknown() };
     let octaves = octaves.min(MOST_OCTAVES);
     let height = |q| N::noise(generator_of(generator), q) * 2.0 - 1.0 + offset;
@@ -61,7 +61,7 @@ fn hetero_mf<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     if rest == 0.0 { sum } else { sum + height(q) * rest * strength * sum }
 }
 
-fn ridge<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
+fn ridge<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
     let Some([lambda, octaves, omega, offset, ridge, generator]) = settings(p) else { return N::unknown() };
     let octaves = octaves.min(MOST_OCTAVES);
     let start = [x, y, z];
@@ -83,7 +83,7 @@ fn ridge<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     sum / (total * offset.max(1.0 - offset))
 }
 
-fn ridged_mf<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
+fn ridged_mf<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
     let Some([h, lacunarity, octaves, offset, gain, generator]) = settings(p) else { return N::unknown() };
     let octaves = octaves.min(MOST_OCTAVES);
     let mut q = [x, y, z];

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_6, PI, TAU};
 
-use super::{Formula, Number, PARAMETERS, Unary, section};
+use super::{Formula, Number, Unary, section};
 
 /// Parameters besides the point, and the formula.
 pub(super) fn find<N: Number>(number: u8) -> Option<(usize, Formula<N>)> {
@@ -126,7 +126,7 @@ fn turned<N: Number>(angle: N, turn: N) -> N {
 }
 
 /// E1, E2, E3 of the specification: three crossed ellipsoids.
-fn ellipsoids<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> [N; 3] {
+fn ellipsoids<N: Number>(x: N, y: N, z: N, p: &[N]) -> [N; 3] {
     let (a, b, c) = (x * x, y * y, z * z);
     let ellipsoid = |a: N, b: N, c: N| (-p[1] * (a + b + c)).exp();
     [ellipsoid(p[0] * a, p[0] * b, c), ellipsoid(p[0] * a, b, p[0] * c), ellipsoid(a, p[0] * b, p[0] * c)]
@@ -136,7 +136,7 @@ fn folded<N: Number>([a, b, c]: [N; 3], with: fn(N, N) -> N) -> N {
     with(with(a, b), c)
 }
 
-fn comma<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
+fn comma<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
     let size = p[0];
     let x = off_axis(x, z, 0.0001);
     let angle = z.atan2(x);
@@ -146,7 +146,7 @@ fn comma<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     -z.min(tail).max(head)
 }
 
-fn helical_torus<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
+fn helical_torus<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
     let distance = (x * x + z * z).sqrt();
     let x = off_axis(x, z, 1e-6);
     let angle = x.atan2(z);
@@ -157,7 +157,7 @@ fn helical_torus<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     -(p[4] + p[5] - p[0] - distance).max(winding)
 }
 
-fn helix1<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
+fn helix1<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
     let r = (x * x + z * z).sqrt();
     let x = off_axis(x, z, 1e-6);
     let turns = p[1] * p[0];
@@ -171,7 +171,7 @@ fn helix1<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
     (p[3] + r).min(section(out, up, p[5])) - p[2]
 }
 
-fn helix2<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
+fn helix2<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
     let angle = y * p[1];
     let (sin, cos) = (angle.sin(), angle.cos());
     let (a, b) = (x - p[3] * cos, z - p[3] * sin);
@@ -191,7 +191,7 @@ fn hexagon<N: Number>(x: N, y: N) -> (N, N) {
     (beyond.choose(a, a * cos + b * sin), beyond.choose(b, (b * cos - a * sin).abs()))
 }
 
-fn mesh1<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
+fn mesh1<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
     let thread = |v: N, half: N| p[2] * (turned(v, half * 2.0) - half).abs();
     let wave = |v: N, period: N| (v * PI / period).cos() * p[3];
     let (k, l) = (wave(z, p[1]), wave(x, p[0]));

@@ -2,7 +2,7 @@
 
 use std::f64::consts::SQRT_2;
 
-use super::{Formula, Number, PARAMETERS, cl};
+use super::{Formula, Number, cl};
 
 /// Parameters besides the point, and the formula. A, B, C of the specification are a, b, c: the squares
 /// of x, y, z.
@@ -154,7 +154,7 @@ pub(super) fn find<N: Number>(number: u8) -> Option<(usize, Formula<N>)> {
     })
 }
 
-fn boy<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
+fn boy<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
     let (a, b, c) = (x * x, y * y, z * z);
     let (w, h) = (-z + 1.0, a + b);
     cl(p[0]
@@ -167,8 +167,8 @@ fn boy<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
                 * (-h * 81.0 * h - c * 72.0 * h + x * (108.0 * SQRT_2) * z * (a - b * 3.0) + c * 4.0 * c)))
 }
 
-fn dupin<N: Number>(x: N, y: N, z: N, p: &[N; PARAMETERS]) -> N {
-    let [p0, p1, p2, p3, p4, p5, ..] = *p;
+fn dupin<N: Number>(x: N, y: N, z: N, p: &[N]) -> N {
+    let &[p0, p1, p2, p3, p4, p5, ..] = p else { return N::unknown() };
     let b = y * y;
     let s = x * x + b + z * z;
     let (r, m, t) = (p5 * p5, p2 * p2, p4 * p4);

@@ -43,8 +43,8 @@ impl Number for Slant {
         Self { value, ..chosen }
     }
 
-    fn either(self, other: Self) -> Self {
-        Self::unknown_rise(self.value.hull(other.value))
+    fn either(self, zero: Self, other: Self) -> Self {
+        Self::unknown_rise(zero.value.hull(other.value))
     }
 
     fn max(self, other: Self) -> Self {
@@ -114,10 +114,14 @@ impl Number for Slant {
         Self::stepped(self.value.is_false())
     }
 
+    fn square(self) -> Self {
+        Self::square(self)
+    }
+
     #[inline(always)]
     fn unary(self, function: Unary) -> Self {
         match function {
-            Unary::Square => self.square(),
+            Unary::Square => Self::square(self),
             Unary::Power(exponent) => low_power(self, exponent),
             Unary::Sin => {
                 let (sin, cos) = self.value.sin_cos();

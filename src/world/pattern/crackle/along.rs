@@ -20,6 +20,9 @@ const VAGUE: f64 = 0.6;
 /// Coordinates up to here.
 const FAR: f64 = 1e8;
 
+/// The last bits of sums, where places of seeds are kept.
+const PLACE: u64 = 31;
+
 /// Many times what a distance is rounded by, as a share.
 const ROUNDING: f64 = 1e-13;
 
@@ -31,59 +34,97 @@ struct Stretch {
     reach: DVec3,
     /// No point is farther from the middle, by the metric.
     spread: f64,
+    /// The lowest and the highest numbers of the cells it may touch.
+    cells: [[i32; 3]; 2],
+}
+
+impl Stretch {
+    fn touches(&self, cell: [i32; 3]) -> bool {
+        let [low, high] = self.cells;
+        (0..3).all(|axis| low[axis] <= cell[axis] && cell[axis] <= high[axis])
+    }
 }
 
 impl Crackle {
     /// Whether distances obey the inequality of triangles.
     fn has_distances(&self) -> bool {
-        self.metric.exponent() >= 1.0 && self.metric.offset(self.offset) >= 0.0
+        self.metric.exponent() >= 1.0 && (self.offset == 0.0 || self.metric.offset(self.offset) >= 0.0)
     }
 
     /// What holds the values at all points that these hold.
     pub(in crate::world::pattern) fn along(&self, p: &[Band; 3]) -> Band {
-        let [x, y, z] = p;
-        let mut strips = [ANY; Lanes::COUNT];
-        SEEDS.with_borrow_mut(|seeds| {
-            for (lane, strip) in strips.iter_mut().enumerate() {
-                let of = |x: &Lanes, y: &Lanes, z: &Lanes| DVec3::new(x.0[lane], y.0[lane], z.0[lane]);
-                let (middle, along, reach) = (
-                    of(&x.middle, &y.middle, &z.middle),
-                    of(&x.slope, &y.slope, &z.slope),
-                    of(&x.reach, &y.reach, &z.reach),
-                );
-                *strip = self.strip(seeds, middle, along, reach);
-            }
+        let strips = SEEDS.with_borrow_mut(|seeds| {
+            widest(
+                #[inline(always)]
+                || self.strips(p, seeds),
+            )
         });
-        let lanes = |part: usize| Lanes(strips.map(|strip| strip[part]));
+        let [a, b, c, d] = strips;
+        let lanes = |part: usize| Lanes([a[part], b[part], c[part], d[part]]);
         let band = Band { middle: lanes(0), slope: lanes(1), reach: lanes(2) };
         band.loose().max(Band::constant(0.0)).min(Band::constant(1.0))
     }
 
-    fn strip(&self, seeds: &mut [Option<Seeds>; 8], middle: DVec3, along: DVec3, reach: DVec3) -> Strip {
+    /// The same lane by lane; the seeds around a cell are looked through for all lanes at once.
+    #[inline(always)]
+    fn strips(&self, p: &[Band; 3], seeds: &mut [Option<Seeds>; 8]) -> [Strip; Lanes::COUNT] {
+        // Written out: closures may become calls, of which none knows wide registers.
+        let stretches = [self.stretch(p, 0), self.stretch(p, 1), self.stretch(p, 2), self.stretch(p, 3)];
+        let middles = [p[0].middle, p[1].middle, p[2].middle];
+        let mut strips: [Option<Strip>; Lanes::COUNT] = [None; Lanes::COUNT];
+        for (first, stretch) in stretches.iter().enumerate() {
+            let Some(Stretch { cells: [low, high], .. }) = stretch else { continue };
+            for cx in low[0]..=high[0] {
+                for cy in low[1]..=high[1] {
+                    for cz in low[2]..=high[2] {
+                        let cell = [cx, cy, cz];
+                        let touching = |lane: usize| stretches[lane].filter(|stretch| stretch.touches(cell));
+                        if (0..first).any(|lane| touching(lane).is_some()) {
+                            continue;
+                        }
+                        let around = seeds_around(seeds, cell);
+                        let near = Near::of_four(around, middles, self.metric);
+                        for (lane, all) in strips.iter_mut().enumerate().skip(first) {
+                            let Some(stretch) = touching(lane) else { continue };
+                            let strip = if self.has_distances() {
+                                self.in_cell(cell, stretch, Near::of_lane(&near, lane, around))
+                            } else {
+                                self.in_cell_by_sums(cell, stretch)
+                            };
+                            *all = Some(all.map_or(strip, |all| hull(all, strip)));
+                        }
+                    }
+                }
+            }
+        }
+        let [a, b, c, d] = strips;
+        [a.unwrap_or(ANY), b.unwrap_or(ANY), c.unwrap_or(ANY), d.unwrap_or(ANY)]
+    }
+
+    /// The stretch in a lane with what is beside it, if it is worth the search for seeds.
+    #[inline(always)]
+    fn stretch(&self, [x, y, z]: &[Band; 3], lane: usize) -> Option<Stretch> {
+        let middle = DVec3::new(x.middle.0[lane], y.middle.0[lane], z.middle.0[lane]);
+        let along = DVec3::new(x.slope.0[lane], y.slope.0[lane], z.slope.0[lane]);
+        let reach = DVec3::new(x.reach.0[lane], y.reach.0[lane], z.reach.0[lane]);
         let half = along.abs() + reach;
         // What is no number is not short either.
         if !(half.max_element() <= LONGEST && middle.abs().max_element() < FAR) {
-            return ANY;
+            return None;
         }
         let rounding = ROUNDING * (1.0 + middle.abs().max_element());
         let spread = self.metric.distance(self.metric.sum(half)) * (1.0 + ROUNDING) + rounding;
         let vague = spread * self.form.abs().element_sum() >= VAGUE;
         if vague && self.solid.is_none() && self.has_distances() {
-            return ANY;
+            return None;
         }
-        let stretch = Stretch { middle, along, reach, spread };
         let room = half + 2.0 * EPSILON;
-        let (low, high) = ((middle - room - EPSILON).floor(), (middle + room).floor());
-        let mut all: Option<Strip> = None;
-        for x in low.x as i32..=high.x as i32 {
-            for y in low.y as i32..=high.y as i32 {
-                for z in low.z as i32..=high.z as i32 {
-                    let strip = self.in_cell([x, y, z], stretch, seeds);
-                    all = Some(all.map_or(strip, |all| hull(all, strip)));
-                }
-            }
-        }
-        all.unwrap_or(ANY)
+        let cell_of = |p: DVec3| {
+            let p = p.floor();
+            [p.x as i32, p.y as i32, p.z as i32]
+        };
+        let cells = [cell_of(middle - room - EPSILON), cell_of(middle + room)];
+        Some(Stretch { middle, along, reach, spread, cells })
     }
 
     /// How many of the nearest seeds the value is made of.
@@ -96,17 +137,9 @@ impl Crackle {
         }
     }
 
-    /// The same, as the seeds around one cell have it.
-    fn in_cell(&self, cell: [i32; 3], stretch: Stretch, seeds: &mut [Option<Seeds>; 8]) -> Strip {
-        if !self.has_distances() {
-            return self.in_cell_by_sums(cell, stretch);
-        }
+    /// What holds the values on a stretch, as the seeds around one of its cells have it, of which these are near.
+    fn in_cell(&self, cell: [i32; 3], stretch: Stretch, mut near: Near) -> Strip {
         let Stretch { middle, spread, .. } = stretch;
-        let seeds = seeds_around(seeds, cell);
-        let mut near = widest(
-            #[inline(always)]
-            || Near::among(seeds, middle, self.metric),
-        );
         // Those of the other cells are a whole cell away from all points of this one.
         let counting = self.counting();
         if self.metric.distance(near.sums[counting - 1]) + spread >= 1.0 - ROUNDING {
@@ -177,20 +210,27 @@ impl Crackle {
         [0.5 * (low + high), 0.0, 0.5 * (high - low)]
     }
 
+    /// What the offset makes of a distance.
+    #[inline(never)]
+    fn with_offset(&self, distance: f64) -> f64 {
+        let offset = self.metric.offset(self.offset);
+        match self.metric {
+            Metric::Absolute => distance + offset,
+            Metric::Square => (distance * distance + offset).sqrt(),
+            Metric::Halves(_) | Metric::Power(_) => {
+                self.metric.distance(distance.powf(self.metric.exponent()) + offset)
+            }
+        }
+    }
+
     /// The distance to a seed, or if others may take its place, what is as far.
     fn distance_along(&self, (distance, seed): (f64, DVec3), stretch: Stretch, alone: bool) -> Strip {
-        let Stretch { middle, along, reach, spread } = stretch;
-        let offset = self.metric.offset(self.offset);
-        let with_offset = |d: f64| match self.metric {
-            Metric::Absolute => d + offset,
-            _ if offset == 0.0 => d,
-            Metric::Square => (d * d + offset).sqrt(),
-            Metric::Halves(_) | Metric::Power(_) => {
-                self.metric.distance(d.powf(self.metric.exponent()) + offset)
-            }
-        };
-        let [nearest, here, farthest] =
-            [(distance - spread).max(0.0), distance, distance + spread].map(with_offset);
+        let Stretch { middle, along, reach, spread, .. } = stretch;
+        let [mut nearest, mut here, mut farthest] =
+            [(distance - spread).max(0.0), distance, distance + spread];
+        if self.offset != 0.0 {
+            [nearest, here, farthest] = [nearest, here, farthest].map(|d| self.with_offset(d));
+        }
         if alone && self.metric == Metric::Square && nearest > 0.0 {
             // No second derivative is above one over the distance.
             let bend = spread * spread / (2.0 * nearest) + reach.length() + ROUNDING * (1.0 + farthest);
@@ -211,22 +251,42 @@ struct Near {
 impl Near {
     const COUNT: usize = 4;
 
-    /// Those of the cells that share a corner.
+    /// The least sums for four points, of the seeds of the cells that share a corner, with the seeds' places in the last
+    /// bits: these are less than what [`ROUNDING`] leaves room for.
+    #[expect(clippy::needless_range_loop, reason = "three lists are gone through side by side")]
     #[inline(always)]
-    fn among(seeds: &Seeds, p: DVec3, metric: Metric) -> Self {
-        let mut near = Self { sums: [f64::INFINITY; Self::COUNT], seeds: [DVec3::ZERO; Self::COUNT] };
-        for (place, &sum) in seeds.sums(p, metric).iter().enumerate().take(ADJACENT) {
-            if sum < near.sums[Self::COUNT - 1] {
-                near.meet(sum, seeds.at(place));
+    fn of_four(seeds: &Seeds, [x, y, z]: [Lanes; 3], metric: Metric) -> [Lanes; Self::COUNT] {
+        let lesser = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a < b { a } else { b });
+        let larger = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a < b { b } else { a });
+        let mut least = [Lanes::splat(f64::INFINITY); Self::COUNT];
+        for place in 0..ADJACENT {
+            let (dx, dy, dz) = (x - seeds.x[place], y - seeds.y[place], z - seeds.z[place]);
+            let sum = if metric == Metric::Square {
+                dx * dx + dy * dy + dz * dz
+            } else {
+                let part = |d: Lanes| d.map(|d| metric.part(d));
+                part(dx) + part(dy) + part(dz)
+            };
+            let mut next = sum.map(|sum| f64::from_bits(sum.to_bits() & !PLACE | place as u64));
+            for known in &mut least {
+                (*known, next) = (lesser(*known, next), larger(*known, next));
             }
         }
-        near
+        least
+    }
+
+    /// Those of one of four points.
+    #[inline(always)]
+    fn of_lane(least: &[Lanes; Self::COUNT], lane: usize, seeds: &Seeds) -> Self {
+        let sum = |i: usize| least[i].0[lane];
+        let seed = |i: usize| seeds.at((sum(i).to_bits() & PLACE) as usize % ADJACENT);
+        Self { sums: [sum(0), sum(1), sum(2), sum(3)], seeds: [seed(0), seed(1), seed(2), seed(3)] }
     }
 
     /// Meets those of the other cells around, as far as they may be as near.
     #[inline(never)]
     fn meet_far(&mut self, p: DVec3, cell: [i32; 3], metric: Metric) {
-        let corner = DVec3::from_array(cell.map(f64::from));
+        let corner = DVec3::new(f64::from(cell[0]), f64::from(cell[1]), f64::from(cell[2]));
         let least = Least::new(metric, p - corner);
         for (axis, step) in [(0, -2), (0, 2), (1, -2), (1, 2), (2, -2), (2, 2)] {
             if !least.may_any_reach(axis, step, self.sums[Self::COUNT - 1]) {

@@ -48,6 +48,22 @@ impl Zone {
     }
 }
 
+/// What the bands over the quarters of a zone say.
+#[derive(Clone, Copy)]
+pub(super) struct Look {
+    middles: Lanes,
+    half: f64,
+    band: Band,
+}
+
+impl Look {
+    /// Whether the function is below zero where the zone starts, if that is sure.
+    pub(super) fn starts_below(&self) -> Option<bool> {
+        let (above, below) = (self.band.low().0[0] > 0.0, self.band.high().0[0] < 0.0);
+        (above || below).then_some(below)
+    }
+}
+
 /// Where the bands leave it open whether the ray crosses the surface twice or passes it by, stretches of this
 /// share of the accuracy decide.
 const FINEST: f64 = 1.0 / 1024.0;
@@ -65,6 +81,9 @@ const STEEPER: f64 = 1.1;
 /// Shares of the way that is passed over behind a surface, for the shortest that is enough to be off it.
 const SHARES: [f64; Lanes::COUNT] = [1.0, 1.0 / 16.0, 1.0 / 256.0, 1.0 / 4096.0];
 
+/// See [`Search::rough`].
+const ROUGH: f64 = 1.0 / 256.0;
+
 /// Steps of the secant method before the search for the last digits is given up.
 const STEPS: usize = 6;
 
@@ -74,17 +93,34 @@ impl Search<'_> {
     }
 
     /// The first place behind `from` at which the value times `sign` becomes negative, up to `to`;
-    /// with the end of the stretch that POV-Ray finds it in.
-    pub(super) fn first(&mut self, from: f64, to: f64, sign: f64) -> Option<(f64, f64)> {
+    /// with the end of the stretch that POV-Ray finds it in. `look` is a look at the whole way, if there was one.
+    pub(super) fn first(&mut self, from: f64, to: f64, sign: f64, look: Option<Look>) -> Option<(f64, f64)> {
         let root = if self.surface.function.is_known() {
             widest(
                 #[inline(always)]
-                || self.first_known(from, to, sign),
+                || self.first_known(from, to, sign, look),
             )
         } else {
             self.first_by_gradient(from, to, sign)
         }?;
         Some((root, self.cell_end(from, to, root)))
+    }
+
+    /// A look at the quarters of a stretch, if anything is known of the function.
+    pub(super) fn look(&self, from: f64, to: f64) -> Option<Look> {
+        self.surface.function.is_known().then(|| {
+            widest(
+                #[inline(always)]
+                || self.look_closer(from, to),
+            )
+        })
+    }
+
+    #[inline(always)]
+    fn look_closer(&self, from: f64, to: f64) -> Look {
+        let half = 0.125 * (to - from);
+        let middles = Lanes([1.0, 3.0, 5.0, 7.0]) * half + from;
+        Look { middles, half, band: self.enclose(middles, Lanes::splat(half)) }
     }
 
     /// The first place behind `at`, on or beside the surface, and at most `most` behind, from which the function
@@ -132,7 +168,7 @@ impl Search<'_> {
     }
 
     #[inline(always)]
-    fn first_known(&mut self, from: f64, to: f64, sign: f64) -> Option<f64> {
+    fn first_known(&mut self, from: f64, to: f64, sign: f64, mut look: Option<Look>) -> Option<f64> {
         let mut waiting: SmallVec<[Zone; 32]> = SmallVec::new();
         let coarse = (to - from) * COARSE;
         let mut looks = 0;
@@ -154,20 +190,23 @@ impl Search<'_> {
                 }
             }
             looks += 1;
-            if self.divide(zone, sign, &mut waiting) {
+            let look = look.take().unwrap_or_else(
+                #[inline(always)]
+                || self.look_closer(zone.from, zone.to),
+            );
+            if self.divide(look, sign, &mut waiting) {
                 return Some(zone.from);
             }
         }
         None
     }
 
-    /// Looks at the quarters of a zone and puts what is left of them on top of `waiting`, the first last.
+    /// Puts what is left of the quarters of a zone on top of `waiting`, the first last.
     /// Whether the function is below zero from the zone's start on.
     #[inline(always)]
-    fn divide(&self, zone: Zone, sign: f64, waiting: &mut SmallVec<[Zone; 32]>) -> bool {
-        let half = 0.125 * (zone.to - zone.from);
-        let middles = Lanes([1.0, 3.0, 5.0, 7.0]) * half + zone.from;
-        let band = self.enclose(middles, Lanes::splat(half)) * sign;
+    fn divide(&self, look: Look, sign: f64, waiting: &mut SmallVec<[Zone; 32]>) -> bool {
+        let Look { middles, half, band } = look;
+        let band = band * sign;
         let (low, high) = (band.low().0, band.high().0);
         let below = waiting.len();
         for i in 0..Lanes::COUNT {
@@ -216,6 +255,12 @@ impl Search<'_> {
         false
     }
 
+    /// The share of a stretch that steps must have come down to, to be taken for what rounding to single precision
+    /// makes of them.
+    fn rough(&self) -> f64 {
+        if self.surface.function.is_single() { ROUGH } else { 0.0 }
+    }
+
     fn meet_gradient(&self, gradient: f64) {
         if gradient > self.steepest.get() {
             self.steepest.set(gradient);
@@ -226,7 +271,7 @@ impl Search<'_> {
     fn settle(&self, zone: Zone, sign: f64) -> Option<f64> {
         let at = |t: f64| sign * self.value(t);
         if zone.certain
-            && let Some(root) = zone.straight_to_root(at)
+            && let Some(root) = zone.straight_to_root(at, self.rough())
         {
             return Some(root);
         }
@@ -239,7 +284,7 @@ impl Search<'_> {
         if low.1 <= 0.0 || low.1.is_nan() {
             return Some(zone.from);
         }
-        Some(polished(low, high, at))
+        Some(polished(low, high, self.rough(), at))
     }
 
     /// The same for functions of which nothing is known: what no gradient bridges is passed over.
@@ -260,7 +305,7 @@ impl Search<'_> {
             if length < self.accuracy || middle <= low.0 || middle >= high.0 {
                 if high.1 < 0.0 {
                     return Some(if low.1 > 0.0 {
-                        polished(low, high, |t| sign * self.value(t))
+                        polished(low, high, self.rough(), |t| sign * self.value(t))
                     } else {
                         low.0
                     });
@@ -279,23 +324,34 @@ impl Search<'_> {
 impl Zone {
     /// Where the function crosses zero in a zone at whose end it is below, if steps with the slope known and
     /// then by the secant method stay in the zone.
-    fn straight_to_root(self, value: impl Fn(f64) -> f64) -> Option<f64> {
+    fn straight_to_root(self, value: impl Fn(f64) -> f64, rough: f64) -> Option<f64> {
         let mut t = 0.5 * (self.from + self.to);
         let mut slope = self.slope;
         let mut here = value(t);
+        let length = self.to - self.from;
+        let [mut last, mut before] = [length, 0.0];
         for _ in 0..STEPS {
             let next = t - here / slope;
             if !(self.from <= next && next <= self.to) {
                 return None;
             }
-            if here == 0.0 || (next - t).abs() <= f64::EPSILON * t.abs() {
+            let step = (next - t).abs();
+            // Each step is the product of both before it times how much the function bends. Where that doesn't hold any
+            // more steps are of the size of what the function is rounded to.
+            let is_rough = step >= 0.5 * last && last <= rough * length;
+            let rest = step * (step / before).min(1.0);
+            if here == 0.0 || rest <= 0.25 * f64::EPSILON * t.abs() || is_rough {
                 return Some(next);
             }
+            (before, last) = (last, step);
             let there = value(next);
+            if there == here && step <= rough * length {
+                return Some(next);
+            }
             slope = (there - here) / (next - t);
             (t, here) = (next, there);
         }
-        None
+        (last <= rough * length).then_some(t)
     }
 }
 
@@ -308,19 +364,23 @@ fn loosened(reach: f64, c: f64, k: f64) -> f64 {
 /// The root between two places with values of either sign, to the last digits.
 ///
 /// Over a short stretch a function is nearly straight, and a few steps of the secant method do.
-fn polished(low: (f64, f64), high: (f64, f64), value: impl Fn(f64) -> f64) -> f64 {
+fn polished(low: (f64, f64), high: (f64, f64), rough: f64, value: impl Fn(f64) -> f64) -> f64 {
     let (mut a, mut b) = (low, high);
     let line = |a: (f64, f64), b: (f64, f64)| a.0 + (b.0 - a.0) * (a.1 / (a.1 - b.1));
+    let short = rough * (high.0 - low.0);
+    let mut last = f64::INFINITY;
     for _ in 0..STEPS {
         let t = line(a, b);
         if !(low.0 <= t && t <= high.0) {
             break;
         }
-        let last = b.0;
+        let step = (t - b.0).abs();
         (a, b) = (b, (t, value(t)));
-        if b.1 == 0.0 || (t - last).abs() <= 2.0 * f64::EPSILON * t.abs() {
+        let is_rough = last <= short && (step >= 0.5 * last || b.1 == a.1);
+        if b.1 == 0.0 || step <= 2.0 * f64::EPSILON * t.abs() || is_rough {
             return t;
         }
+        last = step;
     }
     between(low, high, value)
 }
