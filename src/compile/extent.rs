@@ -26,7 +26,13 @@ impl Flattener<'_> {
         stored(self.extent(object))
     }
 
-    /// The same in double precision.
+    /// Whether the box has no end: POV-Ray looks by boxes for what contains a point, so that of what is turned inside
+    /// out only such contain what is around them (docs/spec/shading.md 11).
+    pub(super) fn is_everywhere(&mut self, object: &Object) -> bool {
+        self.extent(object).size().max_element() >= FAR
+    }
+
+    /// The box of an object in its outer space, in double precision.
     pub(super) fn extent(&mut self, object: &Object) -> Bounds {
         let mut bounds = match &object.shape {
             Shape::Csg(csg) => placed(self.extent_of_compound(csg), object.transform.as_deref()),

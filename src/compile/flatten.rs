@@ -249,7 +249,8 @@ impl<'a> Flattener<'a> {
                 leaf.bounds = leaf.bounds.take().filter(|_| leaf.limits.is_some());
             }
             self.note_bounds(object, &own, member);
-            self.flat.parts.objects.push(Whole { member, interior, opaque: false, apart: false });
+            let surrounds = self.flat.parts.extent(member).beyond && self.is_everywhere(object);
+            self.flat.parts.objects.push(Whole { member, interior, opaque: false, apart: false, surrounds });
         }
     }
 
@@ -290,7 +291,8 @@ impl<'a> Flattener<'a> {
         let projected_through = light.projected_through.as_ref().and_then(|through| {
             let member = self.member(through, &placed)?;
             let number = self.flat.parts.objects.len() as u32;
-            self.flat.parts.objects.push(Whole { member, interior: 0, opaque: false, apart: true });
+            let whole = Whole { member, interior: 0, opaque: false, apart: true, surrounds: false };
+            self.flat.parts.objects.push(whole);
             Some(number)
         });
         let number = self.flat.lights.len() as u32;

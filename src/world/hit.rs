@@ -96,7 +96,7 @@ pub struct Geometry {
     parts: Parts,
     bounded: Accel,
     unbounded: Vec<u32>,
-    /// Bounded objects turned inside out: they contain what is outside of their boxes.
+    /// Bounded objects that contain what is outside of their boxes.
     inverted: Vec<u32>,
 }
 
@@ -113,7 +113,7 @@ impl Geometry {
         for (number, object) in together() {
             let extent = parts.extent(object.member);
             if extent.bounds.is_finite() {
-                inverted.extend(extent.beyond.then_some(number));
+                inverted.extend((extent.beyond && object.surrounds).then_some(number));
             } else if !extent.bounds.is_empty() {
                 unbounded.push(number);
             }

@@ -127,6 +127,8 @@ pub struct Object {
     pub apart: bool,
     /// Whether all of its leaves are opaque.
     pub opaque: bool,
+    /// Whether points outside of its box may be inside it, as far as cameras, fog and media are concerned.
+    pub surrounds: bool,
 }
 
 /// Leaves, compounds and objects.
