@@ -96,7 +96,7 @@ pub struct Geometry {
     parts: Parts,
     bounded: Accel,
     unbounded: Vec<u32>,
-    /// Bounded objects that contain what is outside of their boxes.
+    /// Bounded objects turned inside out: they contain what is outside of their boxes.
     inverted: Vec<u32>,
 }
 
@@ -113,7 +113,7 @@ impl Geometry {
         for (number, object) in together() {
             let extent = parts.extent(object.member);
             if extent.bounds.is_finite() {
-                inverted.extend((extent.beyond && object.surrounds).then_some(number));
+                inverted.extend(extent.beyond.then_some(number));
             } else if !extent.bounds.is_empty() {
                 unbounded.push(number);
             }
@@ -423,6 +423,17 @@ impl Geometry {
         });
         containers.sort_unstable();
         containers.dedup();
+        containers
+    }
+
+    /// The objects that a ray from `point` starts in: those of which it is in the box as well.
+    pub fn surroundings(&self, point: DVec3) -> SmallVec<[u32; 4]> {
+        let mut containers = self.containers(point);
+        containers.retain(|&mut number| {
+            let object = &self.parts.objects[number as usize];
+            let extent = self.parts.extent(object.member);
+            !extent.beyond || object.surrounds || extent.bounds.contains(point)
+        });
         containers
     }
 

@@ -75,6 +75,6 @@ impl World {
     /// The numbers of the interiors around a point, in the order of the text.
     pub fn interiors_around(&self, point: DVec3) -> impl Iterator<Item = u32> {
         let objects = &self.geometry.parts().objects;
-        self.geometry.containers(point).into_iter().map(|number| objects[number as usize].interior)
+        self.geometry.surroundings(point).into_iter().map(|number| objects[number as usize].interior)
     }
 }

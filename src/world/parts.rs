@@ -127,7 +127,7 @@ pub struct Object {
     pub apart: bool,
     /// Whether all of its leaves are opaque.
     pub opaque: bool,
-    /// Whether points outside of its box may be inside it, as far as cameras, fog and media are concerned.
+    /// Whether a ray that starts outside of its box may start in it, as far as interiors, fog and media go.
     pub surrounds: bool,
 }
 

@@ -7,4 +7,4 @@ fog { distance 12 rgb <0.5, 0.6, 0.8> }
 plane { y, -1 pigment { checker rgb 0.9 rgb 0.4 } }
 sphere { <-2, 0, 0>, 0.8 inverse pigment { rgb <0.9, 0.4, 0.3> } }
 merge { sphere { 0, 0.7 } box { -0.6, 0.6 } inverse pigment { rgbf <0.4, 0.9, 0.3, 0.7> } interior { fade_distance 1 fade_power 1 } }
-union { cylinder { <2, -1, 0>, <2, 0.6, 0>, 0.5 inverse } pigment { rgbf <0.4, 0.5, 0.9, 0.8> } interior { ior 1.3 } }
+union { cylinder { <2, -0.9, 0>, <2, 0.6, 0>, 0.5 inverse } pigment { rgbf <0.4, 0.5, 0.9, 0.8> } interior { ior 1.3 } }
