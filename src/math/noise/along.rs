@@ -76,7 +76,7 @@ pub fn along(generator: u8, middle: [Lanes; 3], slope: [Lanes; 3], reach: [Lanes
     }
     let corners = [lattice_corners(&middle, 0), lattice_corners(&middle, 1)];
     let others = [lattice_corners(&middle, 2), lattice_corners(&middle, 3)];
-    let cells = Cells::new(middle, slope, &**SLOPES, corners, others);
+    let cells = Cells::new(middle, slope, &SLOPES, corners, others);
     if generator == 2 {
         cells.sum(reach, 0.489_855_82, 1.05242 * 0.489_855_82, LATTICE)
     } else {

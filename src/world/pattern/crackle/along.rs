@@ -253,7 +253,6 @@ impl Near {
 
     /// The least sums for four points, of the seeds of the cells that share a corner, with the seeds' places in the last
     /// bits: these are less than what [`ROUNDING`] leaves room for.
-    #[expect(clippy::needless_range_loop, reason = "three lists are gone through side by side")]
     #[inline(always)]
     fn of_four(seeds: &Seeds, [x, y, z]: [Lanes; 3], metric: Metric) -> [Lanes; Self::COUNT] {
         let lesser = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a < b { a } else { b });
