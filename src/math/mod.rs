@@ -6,6 +6,7 @@ pub mod color;
 pub mod confidence;
 #[cfg(test)]
 pub(crate) mod dice;
+pub mod double;
 pub mod gamma;
 pub mod hyperbolic;
 pub mod lanes;

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use self::along::{Along, FEW};
 use super::r#box::Cuboid;
 use super::{Crossing, Shape};
+use crate::math::double::Double;
 use crate::math::roots::{any_between, each_root};
 use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec3};
@@ -38,6 +39,12 @@ pub const MAX_DEGREE: usize = 35;
 
 /// How far beyond its ends a range is searched, as a share of their distance.
 const BESIDE: f64 = 1e-6;
+
+/// How many times farther than its own rounding that of the terms may move a root before it is looked at closer.
+const ROUGH: f64 = 64.0;
+
+/// The longest step that betters a root, as a share of its distance.
+const LEAP: f64 = 1e-8;
 
 /// A whole line.
 const LINE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
@@ -126,15 +133,18 @@ impl Poly {
     }
 
     /// The same, with room for so many terms.
-    fn walk_few<const N: usize>(&self, ray: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
-        let Some((shift, ray, home)) = self.moved(ray) else {
+    fn walk_few<const N: usize>(&self, whole: &Ray, range: Range, mut found: impl FnMut(f64) -> bool) {
+        let Some((shift, ray, home)) = self.moved(whole) else {
             return;
         };
         let along = self.polynomial::<N>(&ray);
         let beside = |end: f64| BESIDE * (end.abs() + shift.abs());
         let wanted = [range.min - shift - beside(range.min), range.max - shift + beside(range.max)];
         let mut each = |t: f64| {
-            let t = self.polish(&ray, t) + shift;
+            let rounding = along.size(t);
+            let (t, slope) = self.polish(&ray, t);
+            let is_rough = rounding > ROUGH * (slope * t).abs();
+            let t = if is_rough { self.refined(whole, t + shift) } else { t + shift };
             t < range.max && (t <= range.min || found(t))
         };
         for ends in parted(home) {
@@ -188,11 +198,20 @@ impl Poly {
     }
 
     /// One Newton step on the surface's own equation, whose terms cancel less than those of the
-    /// polynomial in the distance, unless it is a leap.
-    fn polish(&self, ray: &Ray, t: f64) -> f64 {
+    /// polynomial in the distance, unless it is a leap; and how fast the value changes there along the ray.
+    fn polish(&self, ray: &Ray, t: f64) -> (f64, f64) {
         let (value, gradient) = self.value(ray.at(t));
-        let step = value / gradient.dot(ray.direction);
-        if step.abs() <= 1e-8 * t.abs() { t - step } else { t }
+        let slope = gradient.dot(ray.direction);
+        let step = value / slope;
+        (if step.abs() <= LEAP * t.abs() { t - step } else { t }, slope)
+    }
+
+    /// One Newton step where a ray grazes the surface or comes to a tip of it, which makes much of little rounding.
+    #[cold]
+    fn refined(&self, ray: &Ray, t: f64) -> f64 {
+        let value = self.sum(Double::along(ray.origin, ray.direction, t), Double::of);
+        let step = value.rounded() / self.value(ray.at(t)).1.dot(ray.direction);
+        if step.abs() <= LEAP * t.abs() { t - step } else { t }
     }
 
     /// Value and gradient.
@@ -319,7 +338,13 @@ impl Shape for Poly {
         let step = gradient * (value / gradient.length_squared());
         // Where the gradient nearly vanishes the step leads anywhere.
         let near = step.length_squared() <= 1e-12 * point.length_squared();
-        Some((if near { point - step } else { point }, gradient))
+        if !near {
+            return Some((point, gradient));
+        }
+        // Near a tip the gradient is another one there.
+        let on = point - step;
+        let there = self.value(on).1;
+        Some((on, if there == DVec3::ZERO { gradient } else { there }))
     }
 }
 

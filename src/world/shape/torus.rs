@@ -6,6 +6,7 @@ use std::f64::consts::{PI, TAU};
 
 use self::line::Line;
 use super::{Crossing, Shape};
+use crate::math::double::Double;
 use crate::math::roots::{self, Search};
 use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec2, DVec3};
@@ -28,6 +29,10 @@ const BESIDE: f64 = 1e-6;
 
 /// The share of a ray's speed at which it enters or leaves the tube where a Newton step is known to better a root.
 const STEEP: f64 = 0.01;
+
+/// The longest step that betters a root where a ray grazes, as a share of the tube's radius: roots are as good as half
+/// of the digits there.
+const LEAP: f64 = 1e-6;
 
 /// Without the detour by which `hypot` avoids overflow.
 fn length(x: f64, y: f64) -> f64 {
@@ -120,8 +125,8 @@ impl Torus {
 
     /// Calls back with the crossings in range, ascending, until told to stop.
     #[inline(always)]
-    fn each(&self, ray: &Ray, range: Range, mut found: impl FnMut(Crossing) -> bool) {
-        let Some((shift, ray)) = self.moved(ray) else {
+    fn each(&self, whole: &Ray, range: Range, mut found: impl FnMut(Crossing) -> bool) {
+        let Some((shift, ray)) = self.moved(whole) else {
             return;
         };
         let speed = ray.direction.length();
@@ -130,8 +135,8 @@ impl Torus {
         let beside = BESIDE * (self.major + self.minor) / speed;
         let wanted = [range.min - shift - beside, range.max - shift + beside];
         let mut found = |t: f64| {
-            let (t, part) = self.polish(&ray, t);
-            let t = t + shift;
+            let (t, part, grazes) = self.polish(&ray, t);
+            let t = if grazes { self.grazed(whole, t + shift) } else { t + shift };
             t < range.max && (t <= range.min || found(Crossing::new(t, part)))
         };
         for [low, high] in stretches {
@@ -194,9 +199,10 @@ impl Torus {
         Some(false)
     }
 
-    /// One Newton step on the distance from the tube, whose cancellation is milder than the quartic's.
+    /// One Newton step on the distance from the tube, whose cancellation is milder than the quartic's, the part of the
+    /// surface, and whether the ray grazes it.
     #[inline(always)]
-    fn polish(&self, ray: &Ray, t: f64) -> (f64, u32) {
+    fn polish(&self, ray: &Ray, t: f64) -> (f64, u32, bool) {
         let point = ray.at(t);
         let (ring, part) = self.nearest_ring(point);
         let from = point - ring;
@@ -209,11 +215,26 @@ impl Torus {
         if slope.abs() > STEEP * speed
             && step.abs() * speed < STEEP.powi(4) * self.minor.min(self.major - self.minor)
         {
-            return (polished, part);
+            return (polished, part, false);
         }
         // Near a tangent the step is noise: keep the quartic's root.
         let better = |t: f64| ((ray.at(t) - self.nearest_ring(ray.at(t)).0).length() - self.minor).abs();
-        if step.is_finite() && better(polished) < excess.abs() { (polished, part) } else { (t, part) }
+        let t = if step.is_finite() && better(polished) < excess.abs() { polished } else { t };
+        (t, part, true)
+    }
+
+    /// One Newton step where a ray grazes the surface, which makes much of little rounding.
+    #[cold]
+    fn grazed(&self, ray: &Ray, t: f64) -> f64 {
+        let square = |number: Double| number * number;
+        let [x, y, z] = Double::along(ray.origin, ray.direction, t).map(square);
+        let [major, minor] = [self.major, self.minor].map(|radius| square(Double::of(radius)));
+        let base = x + y + z + major - minor;
+        let value = square(base) - Double::of(4.0) * major * (x + z);
+        let (p, d) = (ray.at(t), ray.direction);
+        let slope = base.rounded() * p.dot(d) - 2.0 * self.major * self.major * (p.x * d.x + p.z * d.z);
+        let step = value.rounded() / (4.0 * slope);
+        if step.abs() * d.length() <= LEAP * self.minor { t - step } else { t }
     }
 
     /// The middle of the tube `point` lies on, and its part: for the inner sheet that is across the axis.
@@ -240,8 +261,10 @@ impl Torus {
     #[inline]
     pub(super) fn touched(&self, point: DVec3) -> (DVec3, DVec3) {
         let ring = self.nearest_ring(point).0;
-        let normal = (point - ring) / (point - ring).length();
-        (ring + normal * self.minor, normal)
+        let on = ring + (point - ring) * (self.minor / (point - ring).length());
+        // What rounding took from the point shows in the direction as well.
+        let away = on - self.nearest_ring(on).0;
+        (on, away / away.length())
     }
 }
 

@@ -48,6 +48,13 @@ impl<const N: usize> Along<N> {
         self.terms[0] += constant;
     }
 
+    /// The sum of the sizes of its terms at a distance, of which its value there is rounded by some units.
+    #[inline(always)]
+    pub(super) fn size(&self, t: f64) -> f64 {
+        let t = t.abs();
+        self.terms[..self.length()].iter().rev().fold(0.0, |size, term| size * t + term.abs())
+    }
+
     /// Whether it has few terms and is known to have no root on a ray with one end: beyond that all its terms are
     /// of one sign (Descartes).
     #[inline(always)]
