@@ -97,11 +97,12 @@ impl<'w> Tracer<'w> {
             for lane in 0..N {
                 let (Some(plain), Some(hit)) = (&met[lane], bundle.hits[lane]) else { continue };
                 let (Some(number), Some(incident)) = (lamp(&met[lane]), &incidents[lane]) else { continue };
+                let leaf = world.geometry.parts().leaf(hit.leaf);
                 let (surface, direction) = (&surfaces[lane], &bundle.rays[lane].direction);
                 let (finish, color) = (plain.finish, plain.color);
                 let lit = Surface { finish, color, opacity: 1.0, normal: &surface.normal, direction };
                 let at = Target { surface, hit: Some(hit), inside: &path.inside, among: None };
-                direct[lane] += self.plain_light(&at, &lit, number, incident);
+                direct[lane] += self.plain_light(&at, leaf, &lit, number, incident);
             }
         }
         let mut seen = [None; N];
@@ -123,14 +124,20 @@ impl<'w> Tracer<'w> {
 
     /// The light that a lamp makes a layer send to the eye.
     #[inline]
-    fn plain_light(&mut self, at: &Target, lit: &Surface, number: u32, incident: &Incident) -> Rgb {
+    fn plain_light(
+        &mut self,
+        at: &Target,
+        leaf: &Leaf,
+        lit: &Surface,
+        number: u32,
+        incident: &Incident,
+    ) -> Rgb {
         let light = &self.world.lights[number as usize];
         if incident.is_dark() {
             self.statistics.lights_dark += 1;
             return Rgb::ZERO;
         }
-        let leaf = at.hit.map(|hit| self.world.geometry.parts().leaf(hit.leaf));
-        let facing = leaf.is_some_and(|leaf| lit.faces(leaf, &incident.direction));
+        let facing = lit.faces(leaf, &incident.direction);
         if !facing && lit.finish.diffuse_back <= 0.0 {
             self.statistics.lights_behind += 1;
             return Rgb::ZERO;

@@ -93,6 +93,11 @@ impl Bvh {
         (bvh, own.into_iter().map(|item| item.number).collect())
     }
 
+    /// The box around all items; empty without any.
+    pub fn bounds(&self) -> Bounds {
+        self.whole
+    }
+
     /// Over a grid of bounded items, numbered row by row, of which so many are in a row. Neighbours stay
     /// together without a search for the best places to cut.
     pub fn over_grid(boxes: &[Bounds], width: usize) -> Self {

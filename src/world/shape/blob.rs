@@ -6,7 +6,7 @@ use smallvec::SmallVec;
 
 pub use self::part::Part;
 use self::part::Span;
-use super::{Crossing, OWN_TEXTURE, Shape, uncrossed};
+use super::{Crossing, OWN_TEXTURE, Shape, downhill, uncrossed};
 use crate::math::roots::{between, roots_between};
 use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec3};
@@ -306,13 +306,8 @@ impl Shape for Blob {
 
     fn touched(&self, point: DVec3, _crossing: &Crossing) -> Option<(DVec3, DVec3)> {
         let (value, slope) = self.value(point);
-        if slope == DVec3::ZERO {
-            return Some((point, DVec3::X));
-        }
-        let step = slope * (value / slope.length_squared());
-        // Where the gradient nearly vanishes the step leads anywhere.
-        let near = step.length_squared() <= 1e-12 * self.bounds.size().length_squared();
-        Some((if near { point - step } else { point }, -slope))
+        let on = downhill(point, (value, slope), self.bounds.size().length_squared());
+        Some((on, if slope == DVec3::ZERO { DVec3::X } else { -slope }))
     }
 }
 

@@ -195,3 +195,11 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         point
     }
 }
+
+/// Moves a point by a Newton step, given the value and the gradient there of what is zero on the surface, unless that
+/// leaps farther than a millionth of a size, given its square: where the gradient nearly vanishes it leads anywhere.
+#[inline]
+fn downhill(point: DVec3, (value, gradient): (f64, DVec3), size_squared: f64) -> DVec3 {
+    let step = gradient * (value / gradient.length_squared());
+    if step.length_squared() <= 1e-12 * size_squared { point - step } else { point }
+}

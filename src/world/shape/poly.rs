@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use self::along::{Along, FEW};
 use super::r#box::Cuboid;
-use super::{Crossing, Shape};
+use super::{Crossing, Shape, downhill};
 use crate::math::double::Double;
 use crate::math::roots::{any_between, each_root};
 use crate::math::wide::widest;
@@ -322,29 +322,14 @@ impl Shape for Poly {
         self.sum(*point, Band::constant).less_equal(Band::constant(0.0))
     }
 
-    fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
-        self.touched(point, crossing).map_or(DVec3::X, |(_, normal)| normal)
+    /// Asked for where the surface is: near a tip the gradient beside it is another one.
+    fn normal(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
+        let gradient = self.value(point).1;
+        if gradient == DVec3::ZERO { DVec3::X } else { gradient }
     }
 
-    fn reproject(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
-        self.touched(point, crossing).map_or(point, |(on, _)| on)
-    }
-
-    fn touched(&self, point: DVec3, _crossing: &Crossing) -> Option<(DVec3, DVec3)> {
-        let (value, gradient) = self.value(point);
-        if gradient == DVec3::ZERO {
-            return Some((point, DVec3::X));
-        }
-        let step = gradient * (value / gradient.length_squared());
-        // Where the gradient nearly vanishes the step leads anywhere.
-        let near = step.length_squared() <= 1e-12 * point.length_squared();
-        if !near {
-            return Some((point, gradient));
-        }
-        // Near a tip the gradient is another one there.
-        let on = point - step;
-        let there = self.value(on).1;
-        Some((on, if there == DVec3::ZERO { gradient } else { there }))
+    fn reproject(&self, point: DVec3, _crossing: &Crossing) -> DVec3 {
+        downhill(point, self.value(point), point.length_squared())
     }
 }
 

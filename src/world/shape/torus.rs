@@ -257,7 +257,7 @@ impl Torus {
 }
 
 impl Torus {
-    /// The point of the surface next to a computed one, and the unit normal there.
+    /// The point of the surface next to a computed one, and the unit normal there, of the sheet that is nearest.
     #[inline]
     pub(super) fn touched(&self, point: DVec3) -> (DVec3, DVec3) {
         let ring = self.nearest_ring(point).0;

@@ -29,22 +29,27 @@ const HALF: f64 = 2.0;
 /// Places along a ray at which the function is asked.
 const PLACES: u32 = 3000;
 
-/// Checks that rays go no farther than to the first place where the function is below the threshold.
-#[track_caller]
-fn has_no_holes(pattern: Pattern, threshold: f64) {
-    let cube = Cuboid { min: DVec3::splat(-HALF), max: DVec3::splat(HALF) };
-    let function: Arc<dyn Field> = Arc::new(pattern.clone());
-    let surface = Isosurface {
-        function: function.clone(),
+/// Where a function is at a threshold in a cube, searched for so exactly and with a gradient that is far too low.
+fn at_threshold(function: Arc<dyn Field>, threshold: f64, cube: Cuboid, accuracy: f64) -> Isosurface {
+    Isosurface {
+        function,
         threshold,
         container: Container::Box(cube),
-        accuracy: 1e-3,
+        accuracy,
         max_gradient: 1e-3,
         adaptive: None,
         most: 1,
         open: false,
         steepest: Steepest::default(),
-    };
+    }
+}
+
+/// Checks that rays go no farther than to the first place where the function is below the threshold.
+#[track_caller]
+fn has_no_holes(pattern: Pattern, threshold: f64) {
+    let cube = Cuboid { min: DVec3::splat(-HALF), max: DVec3::splat(HALF) };
+    let function: Arc<dyn Field> = Arc::new(pattern.clone());
+    let surface = at_threshold(function.clone(), threshold, cube, 1e-3);
     let mut met = 0;
     for number in 0..150 {
         let mut dice = Dice::new(number);
@@ -156,17 +161,7 @@ fn solids_that_only_crossings_tell_are_met_however_thin() {
     let outline = Curve::new([square(1.0), square(1.0 - THIN)].concat());
     let frame = Prism { outline, heights: [-0.8, 0.7], conic: false, open: false };
     let cube = Cuboid { min: DVec3::splat(-HALF), max: DVec3::splat(HALF) };
-    let surface = Isosurface {
-        function: Arc::new(outside(frame.clone())),
-        threshold: 0.5,
-        container: Container::Box(cube),
-        accuracy: 1e-2,
-        max_gradient: 1e-3,
-        adaptive: None,
-        most: 1,
-        open: false,
-        steepest: Steepest::default(),
-    };
+    let surface = at_threshold(Arc::new(outside(frame.clone())), 0.5, cube, 1e-2);
     let mut met = 0;
     for number in 0..2000 {
         let mut dice = Dice::new(number);

@@ -22,7 +22,6 @@ pub struct Mesh {
     normals: Column,
     uvs: Column,
     textures: Column,
-    bounds: Bounds,
     bvh: Bvh,
     inside: Option<DVec3>,
     /// Whether an even number of faces meet at each edge, once that was asked.
@@ -111,14 +110,13 @@ impl Mesh {
             let normal = face_normal(corners);
             (normal != DVec3::ZERO && normal.is_finite()).then(|| (Bounds::of(corners), i))
         });
-        let bounds = boxes.clone().fold(Bounds::EMPTY, |all, (b, _)| all.union(b));
         let (bvh, order) = Bvh::with_runs(boxes, RUN);
         let normals = Column::new(faces, &order, |face| face.normals);
         let uvs = Column::new(faces, &order, |face| face.uvs);
         let textures = Column::new(faces, &order, |face| face.textures);
         let faces = order.into_iter().map(|i| face(&faces[i as usize]).vertices).collect();
         let inside = inside.filter(|direction| *direction != DVec3::ZERO);
-        Some(Self { bvh, lists, faces, normals, uvs, textures, bounds, inside, closed: OnceLock::new() })
+        Some(Self { bvh, lists, faces, normals, uvs, textures, inside, closed: OnceLock::new() })
     }
 
     fn is_closed(&self) -> bool {
@@ -175,7 +173,7 @@ impl Mesh {
     /// edge to be sure.
     fn parity(&self, ray: &Ray) -> (bool, bool) {
         let sheared = Sheared::new(ray);
-        let near = SEAM * self.bounds.size().max_element();
+        let near = SEAM * self.bounds().size().max_element();
         let (mut odd, mut grazing) = (false, false);
         self.bvh.runs_along(ray, Range::AHEAD, |run| {
             for corners in run.map(|face| self.corners(face as u32)) {
@@ -211,7 +209,7 @@ fn corners(lists: &Lists, [a, b, c]: [u32; 3]) -> [DVec3; 3] {
 
 impl Shape for Mesh {
     fn bounds(&self) -> Bounds {
-        self.bounds
+        self.bvh.bounds()
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
