@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::Band;
+use super::{Band, Lanes};
 
 /// An affine map and its inverse.
 ///
@@ -128,6 +128,27 @@ impl Transform {
         let mut seen = [x; 3];
         for (i, seen) in seen.iter_mut().enumerate() {
             *seen = x * matrix3.x_axis[i] + y * matrix3.y_axis[i] + z * matrix3.z_axis[i] + translation[i];
+        }
+        seen
+    }
+
+    /// Four points of the outer space seen from the inner one.
+    #[inline(always)]
+    pub fn inverse_points(&self, points: &[Lanes; 3]) -> [Lanes; 3] {
+        let mut seen = self.inverse_vectors(points);
+        for (axis, seen) in seen.iter_mut().enumerate() {
+            *seen = *seen + self.inverse.translation[axis];
+        }
+        seen
+    }
+
+    /// Four directions of the outer space seen from the inner one.
+    #[inline(always)]
+    pub fn inverse_vectors(&self, [x, y, z]: &[Lanes; 3]) -> [Lanes; 3] {
+        let DAffine3 { matrix3, .. } = self.inverse;
+        let mut seen = [*x; 3];
+        for (axis, seen) in seen.iter_mut().enumerate() {
+            *seen = *x * matrix3.x_axis[axis] + *y * matrix3.y_axis[axis] + *z * matrix3.z_axis[axis];
         }
         seen
     }

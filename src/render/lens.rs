@@ -4,16 +4,13 @@ use std::sync::LazyLock;
 
 use super::Eye;
 use super::jitter::jitter;
-use super::plain::Bundle;
-use super::random::Random;
 use super::sampling::Sample;
 use super::trace::{Path, Tracer};
 use crate::math::noise::hashes;
 use crate::math::wide::widest;
 use crate::math::{DVec2, DVec3, Lanes};
 use crate::world::accel::Pencil;
-use crate::world::camera::{FocalBlur, Perspective, Projection, film};
-use crate::world::hit::Hit;
+use crate::world::camera::{FocalBlur, Perspective, Projection, film, film_of_four};
 use crate::world::{Ray, RayKind, Rays};
 
 /// Sub-pixel places along an axis.
@@ -133,7 +130,15 @@ impl Eye<'_> {
                 }
                 let rays = self.four_rays(blur, perspective, &places, first);
                 self.world.geometry.hits(&within, &rays, count, kind, &mut hits);
-                self.four_seen(tracer, &mut path, &rays, &places, &hits[..count], &mut sums);
+                self.four_seen(
+                    tracer,
+                    &mut path,
+                    &rays,
+                    &places,
+                    &hits[..count],
+                    #[inline(always)]
+                    |sample| sums.add(sample),
+                );
             }
             if end == blur.max_samples() || blur.is_enough(sums.count, || sums.variances()) {
                 break;
@@ -176,48 +181,10 @@ impl Eye<'_> {
         widest(
             #[inline(always)]
             || {
-                // The place on the film, as `film` has it.
-                let x = (x + 0.5) / f64::from(self.options.width) - 0.5;
-                let y = -((y + 0.5) / f64::from(self.options.height)) + 0.5;
+                let [x, y] = film_of_four(x, y, self.options.width, self.options.height);
                 blur.rays(&perspective.directions(x, y), first, &shifts)
             },
         )
-    }
-
-    /// Sums up what up to four rays see of which it is known what they meet first; `path` is that of a ray before.
-    #[inline]
-    fn four_seen(
-        &self,
-        tracer: &mut Tracer,
-        path: &mut Path,
-        rays: &Rays,
-        places: &[(f64, f64); Lanes::COUNT],
-        hits: &[Option<Hit>],
-        sums: &mut Sums,
-    ) {
-        if !tracer.calm || self.inside.is_none() {
-            for (lane, hit) in hits.iter().enumerate() {
-                sums.add(self.met(tracer, rays.ray(lane), places[lane], hit));
-            }
-            return;
-        }
-        tracer.statistics.camera_rays += hits.len() as u64;
-        // Loops: closures given to methods of arrays are not compiled together with what is around them.
-        let (mut met, mut randoms) = ([None; Lanes::COUNT], [Random::default(); Lanes::COUNT]);
-        let mut apart = [rays.ray(0); Lanes::COUNT];
-        for lane in 0..hits.len() {
-            met[lane] = hits[lane].as_ref();
-            randoms[lane] = Random::of_sample(places[lane].0, places[lane].1, self.options.seed);
-            apart[lane] = rays.ray(lane);
-        }
-        let bundle = Bundle { rays: apart, hits: met, randoms: Some(&randoms) };
-        tracer.trace_bundle(
-            path,
-            &bundle,
-            hits.len(),
-            #[inline(always)]
-            |seen| sums.add(seen.sample()),
-        );
     }
 
     /// What ray `index` sees that goes through the lens and image coordinates.

@@ -1,5 +1,6 @@
 //! From a compiled scene to a picture.
 
+mod ahead;
 mod air;
 mod budget;
 mod direct;
@@ -28,11 +29,11 @@ pub use stats::Statistics;
 
 use crate::math::DVec2;
 use crate::math::tally::Tally;
-use crate::options::{Region, RenderOptions, Sampling};
+use crate::options::{Antialias, AntialiasMethod, Region, RenderOptions, Sampling};
 use crate::world::accel::Hull;
 use crate::world::atmosphere::Alpha;
 use crate::world::camera::mesh_camera::Place;
-use crate::world::camera::{MeshCamera, film};
+use crate::world::camera::{MeshCamera, Perspective, Projection, film};
 use crate::world::hit::Hit;
 use crate::world::{Ray, RayKind, World};
 use quality::Quality;
@@ -89,6 +90,8 @@ struct Eye<'w> {
     options: &'w RenderOptions,
     /// What rays start inside of, where they all start at one point.
     inside: Option<Inside>,
+    /// Of cameras whose samples are mostly the middles of pixels in a row, the projection.
+    rows: Option<&'w Perspective>,
 }
 
 impl<'w> Eye<'w> {
@@ -101,7 +104,15 @@ impl<'w> Eye<'w> {
             let free = finite && world.geometry.is_free(&Hull::new(corners.into_iter().collect()));
             free.then_some(middle)
         });
-        Self { world, options, inside: eye.map(|point| Inside::of(world.interiors_around(point))) }
+        let often =
+            matches!(&options.antialias, None | Some(Antialias { method: AntialiasMethod::Neighbours, .. }));
+        let camera = &world.camera;
+        let rows = match &camera.projection {
+            Projection::Perspective(perspective) if often && options.sampling.is_none() => Some(perspective),
+            _ => None,
+        };
+        let rows = rows.filter(|_| camera.blur.is_none() && camera.mesh.is_none() && camera.normal.is_none());
+        Self { world, options, rows, inside: eye.map(|point| Inside::of(world.interiors_around(point))) }
     }
 
     fn block(&self, block: &Region) -> (Vec<Sample>, Statistics) {
@@ -136,6 +147,11 @@ impl<'w> Eye<'w> {
         }
         if let Some(blur) = &camera.blur {
             return self.through_lens(tracer, blur, x, y);
+        }
+        if let Some(perspective) = self.rows
+            && let Some(sample) = self.looked_ahead(tracer, perspective, x, y)
+        {
+            return sample;
         }
         match camera.ray(film(x, y, self.options.width, self.options.height)) {
             Some(ray) => self.seen(tracer, ray, (x, y), f64::INFINITY),

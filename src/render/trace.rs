@@ -1,6 +1,7 @@
 //! What a ray sees: surfaces one behind the other as far as it goes straight, then the sky
 //! (docs/spec/shading.md 4).
 
+use super::ahead::Ahead;
 use super::media::{Beam, Between};
 use super::plain::Bundle;
 use super::quality::Quality;
@@ -81,6 +82,8 @@ pub(super) struct Tracer<'w> {
     /// The lamps of a march through media, and what stands before them.
     pub(super) beams: Vec<Beam>,
     pub(super) between: Vec<Between>,
+    /// Pixels that were looked at before somebody asks for them.
+    pub(super) ahead: Ahead,
     /// What the rays through the lens at hand may meet.
     pub(super) within: Within,
     /// The pixels for which that was found, by image coordinates of the first, and whether it is known.
@@ -130,6 +133,7 @@ impl<'w> Tracer<'w> {
             blockers: vec![None; world.lights.len()],
             beams: Vec::new(),
             between: Vec::new(),
+            ahead: Ahead::default(),
             within: Within::default(),
             row: None,
             near: Vec::new(),

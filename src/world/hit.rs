@@ -3,7 +3,7 @@
 
 use smallvec::SmallVec;
 
-use super::accel::{Accel, Hull, Slabs};
+use super::accel::{Accel, Bvh, Hull, Pencil, Slabs, Within};
 use super::csg::Found;
 use super::object::{Leaf, LeafFlags, Member, RayKind};
 use super::outline::Caster;
@@ -95,6 +95,8 @@ impl Nearest<'_> {
 pub struct Geometry {
     parts: Parts,
     bounded: Accel,
+    /// The same for rays that travel together, where those that travel alone need no tree.
+    few: Option<Bvh>,
     unbounded: Vec<u32>,
     /// Bounded objects turned inside out: they contain what is outside of their boxes.
     inverted: Vec<u32>,
@@ -120,7 +122,10 @@ impl Geometry {
         }
         let boxes = together().map(|(number, object)| (parts.extent(object.member).bounds, number));
         let boxes = boxes.filter(|(bounds, _)| bounds.is_finite());
-        Self { bounded: Accel::new(boxes, accelerator), unbounded, inverted, parts }
+        let bounded = Accel::new(boxes.clone(), accelerator);
+        let plain = accelerator == Accelerator::Auto && matches!(bounded, Accel::Linear(_));
+        let few = plain.then(|| Bvh::new(boxes));
+        Self { bounded, few, unbounded, inverted, parts }
     }
 
     /// The parts by number.
@@ -129,10 +134,13 @@ impl Geometry {
         &self.parts
     }
 
-    /// What has a box.
-    #[inline]
-    pub(super) fn bounded(&self) -> &Accel {
-        &self.bounded
+    /// Whether the objects with boxes that rays of a pencil may meet are few, and were found.
+    #[inline(always)]
+    pub(super) fn bounded_within(&self, pencil: &Pencil, within: &mut Within) -> bool {
+        match &self.few {
+            Some(few) => few.within(pencil, within),
+            None => self.bounded.within(pencil, within),
+        }
     }
 
     /// What has none, by number.

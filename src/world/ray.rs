@@ -58,6 +58,24 @@ pub struct Rays {
 }
 
 impl Rays {
+    /// Makes directions unit that have a length.
+    #[inline(always)]
+    pub fn normalize(&mut self) {
+        let inverse = Lanes::splat(1.0) / Lanes::dot(&self.direction, &self.direction).sqrt();
+        for direction in &mut self.direction {
+            *direction = *direction * inverse;
+        }
+    }
+
+    /// The same rays in the inner space of `transform`.
+    #[inline(always)]
+    pub fn to_inner(&self, transform: &Transform) -> Self {
+        Self {
+            origin: transform.inverse_points(&self.origin),
+            direction: transform.inverse_vectors(&self.direction),
+        }
+    }
+
     /// One of them.
     #[inline(always)]
     pub fn ray(&self, lane: usize) -> Ray {

@@ -34,6 +34,25 @@ pub struct Pencil {
     pub ends: bool,
 }
 
+/// The square of the least distance of which rays have a direction.
+const LEAST_SQUARE: f64 = 1e-200;
+
+/// Boxes around rays are larger than computed by this share of their coordinates, more than rounding takes.
+const ROOM: f64 = 1e-12;
+
+impl Pencil {
+    /// All rays from a box through another, and on; `None` where rays may start where they go through.
+    pub fn new(from: Bounds, through: Bounds) -> Option<Self> {
+        let room = |bounds: Bounds| {
+            let room = ROOM * bounds.min.abs().max(bounds.max.abs()).max_element();
+            Bounds { min: bounds.min - room, max: bounds.max + room }
+        };
+        let (from, through) = (room(from), room(through));
+        let apart = (through.min - from.max).max(from.min - through.max).max(DVec3::ZERO);
+        (apart.length_squared() > LEAST_SQUARE).then_some(Self { from, through, ends: false })
+    }
+}
+
 /// What the rays of a pencil may meet, the nearest first.
 #[derive(Debug, Default)]
 pub struct Within {

@@ -46,12 +46,6 @@ pub struct Lens {
     pub variance: f64,
 }
 
-/// The square of the least distance of which rays have a direction.
-const LEAST_SQUARE: f64 = 1e-200;
-
-/// Boxes around rays are larger than computed by this share of their coordinates, more than rounding takes.
-const ROOM: f64 = 1e-12;
-
 impl FocalBlur {
     /// The lens of a camera; `bokeh` is its brightness over the unit square.
     pub fn new(frame: &Frame, lens: &Lens, bokeh: Option<&Pigment>) -> Self {
@@ -103,11 +97,7 @@ impl FocalBlur {
             rays.origin[axis] = offset + location[axis];
             rays.direction[axis] = directions[axis] * self.focus - offset;
         }
-        let length = Lanes::dot(&rays.direction, &rays.direction).sqrt();
-        let inverse = Lanes::splat(1.0) / length;
-        for axis in 0..3 {
-            rays.direction[axis] = rays.direction[axis] * inverse;
-        }
+        rays.normalize();
         rays
     }
 
@@ -122,15 +112,8 @@ impl FocalBlur {
     /// The rays from all over the lens for directions, not normalised, that are between four; `None` where
     /// rays may start where they are in focus.
     pub fn pencil(&self, directions: &[DVec3; 4]) -> Option<Pencil> {
-        let room = |bounds: Bounds| {
-            let room = ROOM * bounds.min.abs().max(bounds.max.abs()).max_element();
-            Bounds { min: bounds.min - room, max: bounds.max + room }
-        };
-        let from = room(Bounds::of(self.extent().1));
         let through = directions.iter().map(|&direction| self.location + direction * self.focus);
-        let through = room(Bounds::of(through));
-        let apart = (through.min - from.max).max(from.min - through.max).max(DVec3::ZERO);
-        (apart.length_squared() > LEAST_SQUARE).then_some(Pencil { from, through, ends: false })
+        Pencil::new(Bounds::of(self.extent().1), Bounds::of(through))
     }
 
     /// The most rays a pixel gets.

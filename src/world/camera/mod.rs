@@ -29,7 +29,7 @@ use std::sync::Arc;
 use super::Ray;
 use super::sample::Sample;
 use super::texture::Normal;
-use crate::math::{DVec2, DVec3};
+use crate::math::{DVec2, DVec3, Lanes};
 
 /// A place on the film: `x` from -½ (left) to ½ (right), `y` from -½ (bottom) to ½ (top).
 /// Samples of antialiasing may lie a little outside.
@@ -40,6 +40,12 @@ pub type Film = DVec2;
 #[inline]
 pub fn film(x: f64, y: f64, width: u32, height: u32) -> Film {
     Film::new((x + 0.5) / f64::from(width) - 0.5, 0.5 - (y + 0.5) / f64::from(height))
+}
+
+/// The same of four.
+#[inline(always)]
+pub fn film_of_four(x: Lanes, y: Lanes, width: u32, height: u32) -> [Lanes; 2] {
+    [(x + 0.5) / f64::from(width) - 0.5, -((y + 0.5) / f64::from(height)) + 0.5]
 }
 
 /// The eye.

@@ -106,6 +106,16 @@ impl Primitive {
         }
     }
 
+    /// The bits of those of four rays that may meet it before `ends`, where that is told quickly and better than by its
+    /// box.
+    #[inline(always)]
+    pub fn near_of_four(&self, rays: impl FnOnce() -> Rays, ends: Lanes) -> Option<u32> {
+        match self {
+            Self::Torus(torus) => Some(torus.near_of_four(&rays(), ends)),
+            _ => None,
+        }
+    }
+
     /// Whether [`Primitive::nearest_of_four`] knows it.
     #[inline(always)]
     pub fn takes_four(&self) -> bool {

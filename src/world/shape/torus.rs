@@ -1,5 +1,6 @@
 //! `torus { major, minor }` (docs/spec/primitives.md 3.7).
 
+mod four;
 mod line;
 
 use std::f64::consts::{PI, TAU};

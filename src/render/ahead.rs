@@ -1,0 +1,178 @@
+//! Pixels next to each other in a row are looked at four at a time, ahead of who asks for them: their rays travel
+//! together, and what those of a tile of pixels may meet is found once.
+
+use super::Eye;
+use super::plain::Bundle;
+use super::random::Random;
+use super::sampling::Sample;
+use super::trace::{Path, Tracer};
+use crate::math::wide::widest;
+use crate::math::{Bounds, Lanes};
+use crate::world::accel::{Pencil, Within};
+use crate::world::camera::{Perspective, film, film_of_four};
+use crate::world::hit::Hit;
+use crate::world::{Ray, RayKind, Rays};
+
+/// So many pixels are looked at together.
+const FOUR: i32 = Lanes::COUNT as i32;
+
+/// Pixels along each side of a tile.
+const TILE: i32 = 8;
+
+/// So many tiles next to each other are remembered: those of a block.
+const TILES: usize = 4;
+
+/// Pixels that nobody has asked for yet.
+#[derive(Debug, Default)]
+pub(super) struct Ahead {
+    /// The column and row of the first.
+    first: Option<[i32; 2]>,
+    samples: [Sample; Lanes::COUNT],
+    tiles: [Tile; TILES],
+}
+
+/// What rays through a square of pixels may meet.
+#[derive(Debug, Default)]
+struct Tile {
+    /// The column and row of its upper left pixel.
+    place: Option<[i32; 2]>,
+    /// Whether that is known.
+    known: bool,
+    within: Within,
+}
+
+impl Eye<'_> {
+    /// What is seen at image coordinates in the middle of a pixel, where it belongs to four that travel together.
+    #[inline]
+    pub(super) fn looked_ahead(
+        &self,
+        tracer: &mut Tracer,
+        perspective: &Perspective,
+        x: f64,
+        y: f64,
+    ) -> Option<Sample> {
+        let [column, row] = [x as i32, y as i32];
+        if f64::from(column) != x || f64::from(row) != y {
+            return None;
+        }
+        let lane = column & (FOUR - 1);
+        let first = [column - lane, row];
+        if tracer.ahead.first != Some(first) && (lane != 0 || !self.look_ahead(tracer, perspective, first)) {
+            return None;
+        }
+        Some(tracer.ahead.samples[lane as usize])
+    }
+
+    /// Looks at four pixels from one on; whether that is worth while.
+    fn look_ahead(&self, tracer: &mut Tracer, perspective: &Perspective, first: [i32; 2]) -> bool {
+        let [column, row] = first;
+        let place = first.map(|along| along & !(TILE - 1));
+        let tile = &mut tracer.ahead.tiles[(column / TILE) as usize % TILES];
+        if i64::from(column) + i64::from(FOUR) > i64::from(self.options.region.columns.end) {
+            return false;
+        }
+        if tile.place != Some(place) {
+            tile.place = Some(place);
+            let pencil = self.pencil_of(perspective, place.map(f64::from));
+            let geometry = &self.world.geometry;
+            tile.known = pencil.is_some_and(|pencil| geometry.within(&pencil, &mut tile.within));
+        }
+        if !tile.known {
+            return false;
+        }
+        let mut places = [(f64::from(column), f64::from(row)); Lanes::COUNT];
+        for (lane, place) in places.iter_mut().enumerate() {
+            place.0 += lane as f64;
+        }
+        let rays = self.rays_of_four(perspective, &places);
+        let (mut hits, kind) = ([None; Lanes::COUNT], RayKind::IMAGE);
+        self.world.geometry.hits(&tile.within, &rays, Lanes::COUNT, kind, &mut hits);
+        let inside = self.inside.clone().unwrap_or_default();
+        let mut path = Path { ray: rays.ray(0), level: 0, weight: 1.0, kind, wavelength: None, inside };
+        let mut samples = [Sample::default(); Lanes::COUNT];
+        let mut lane = 0;
+        self.four_seen(
+            tracer,
+            &mut path,
+            &rays,
+            &places,
+            &hits,
+            #[inline(always)]
+            |sample| {
+                samples[lane] = sample;
+                lane += 1;
+            },
+        );
+        (tracer.ahead.first, tracer.ahead.samples) = (Some(first), samples);
+        true
+    }
+
+    /// All rays through the middles of the pixels of a tile.
+    #[cold]
+    fn pencil_of(&self, perspective: &Perspective, [left, top]: [f64; 2]) -> Option<Pencil> {
+        let corner = |x: f64, y: f64| {
+            let Ray { origin, direction } =
+                perspective.project(film(left + x, top + y, self.options.width, self.options.height)).ray;
+            origin + direction
+        };
+        let last = f64::from(TILE - 1);
+        let through = [corner(0.0, 0.0), corner(last, 0.0), corner(0.0, last), corner(last, last)];
+        Pencil::new(Bounds::of([perspective.frame.location]), Bounds::of(through))
+    }
+
+    /// The rays through four image coordinates.
+    #[inline]
+    fn rays_of_four(&self, perspective: &Perspective, places: &[(f64, f64); Lanes::COUNT]) -> Rays {
+        let (mut x, mut y) = (Lanes::ZERO, Lanes::ZERO);
+        for (lane, place) in places.iter().enumerate() {
+            (x.0[lane], y.0[lane]) = *place;
+        }
+        let eye = perspective.frame.location.to_array();
+        widest(
+            #[inline(always)]
+            || {
+                let [x, y] = film_of_four(x, y, self.options.width, self.options.height);
+                let direction = perspective.directions(x, y);
+                let mut rays = Rays { origin: eye.map(Lanes::splat), direction };
+                rays.normalize();
+                rays
+            },
+        )
+    }
+
+    /// Shows what up to four rays see of which it is known what they meet first; `path` is that of a ray before.
+    #[inline]
+    pub(super) fn four_seen(
+        &self,
+        tracer: &mut Tracer,
+        path: &mut Path,
+        rays: &Rays,
+        places: &[(f64, f64); Lanes::COUNT],
+        hits: &[Option<Hit>],
+        mut show: impl FnMut(Sample),
+    ) {
+        if !tracer.calm || self.inside.is_none() {
+            for (lane, hit) in hits.iter().enumerate() {
+                show(self.met(tracer, rays.ray(lane), places[lane], hit));
+            }
+            return;
+        }
+        tracer.statistics.camera_rays += hits.len() as u64;
+        // Loops: closures given to methods of arrays are not compiled together with what is around them.
+        let (mut met, mut randoms) = ([None; Lanes::COUNT], [Random::default(); Lanes::COUNT]);
+        let mut apart = [rays.ray(0); Lanes::COUNT];
+        for lane in 0..hits.len() {
+            met[lane] = hits[lane].as_ref();
+            randoms[lane] = Random::of_sample(places[lane].0, places[lane].1, self.options.seed);
+            apart[lane] = rays.ray(lane);
+        }
+        let bundle = Bundle { rays: apart, hits: met, randoms: Some(&randoms) };
+        tracer.trace_bundle(
+            path,
+            &bundle,
+            hits.len(),
+            #[inline(always)]
+            |seen| show(seen.sample()),
+        );
+    }
+}
