@@ -27,6 +27,9 @@ const NORMALS: [DVec3; 6] = [DVec3::NEG_X, DVec3::X, DVec3::NEG_Y, DVec3::Y, DVe
 /// Rounding that may part the distances of faces which meet in an edge.
 const EDGE: f64 = 4.0 * f64::EPSILON;
 
+/// Rays that pass the box by so much of their distances, far more than they are rounded by, surely miss it.
+const NEAR: f64 = 1e-9;
+
 impl Faces {
     /// The last of the near ones and the first of the far ones.
     #[inline(always)]
@@ -133,6 +136,26 @@ impl Cuboid {
             }
         }
         Some([nearest, parts])
+    }
+
+    /// The bits of the rays that start inside or meet the box, or nearly so.
+    #[inline(always)]
+    pub(super) fn near_of_four(&self, rays: &Rays) -> u32 {
+        let (min, max) = (self.min.to_array(), self.max.to_array());
+        let (mut enter, mut leave) = (Lanes::splat(f64::NEG_INFINITY), Lanes::splat(f64::INFINITY));
+        for axis in 0..3 {
+            let per = Lanes::splat(1.0) / rays.direction[axis];
+            let low = (-rays.origin[axis] + min[axis]) * per;
+            let high = (-rays.origin[axis] + max[axis]) * per;
+            // What is no number stays so, and is left out.
+            let near = low.zip(high, |low, high| if low < high || low.is_nan() { low } else { high });
+            let far = low.zip(high, |low, high| if low < high || high.is_nan() { high } else { low });
+            enter = enter.zip(near, |enter, near| if near > enter { near } else { enter });
+            leave = leave.zip(far, |leave, far| if far < leave { far } else { leave });
+        }
+        let missed = enter - leave - (enter.abs() + leave.abs()) * NEAR;
+        let behind = -leave - enter.abs() * NEAR;
+        15 & !(missed.bits(|missed| missed > 0.0) | behind.bits(|behind| behind > 0.0))
     }
 
     /// The nearer end in `range` of the stretch between faces.
@@ -263,6 +286,7 @@ impl Shape for Cuboid {
 mod tests {
     use super::super::battery::{self, battery, table};
     use super::*;
+    use crate::math::dice::numbers;
 
     battery! {
         uneven: |size, at| Cuboid { min: at - size, max: at + size * DVec3::new(1.0, 0.5, 0.25) };
@@ -270,6 +294,27 @@ mod tests {
 
     fn probed() -> Cuboid {
         Cuboid { min: DVec3::new(-1.0, -1.0, 0.0), max: DVec3::new(3.0, 2.0, 1.0) }
+    }
+
+    #[test]
+    fn every_ray_that_meets_the_box_is_near() {
+        let mut number = numbers(31);
+        let (mut met, mut far) = (0, 0);
+        for round in 0..10_000 {
+            let mut point = || DVec3::new(number(), number(), number());
+            let mut ray = Ray::new(8.0 * point(), point());
+            if round % 4 == 0 {
+                // Along a face.
+                (ray.origin.y, ray.direction.y) = (2.0, 0.0);
+            }
+            let [origin, direction] = [ray.origin, ray.direction].map(|v| v.to_array().map(Lanes::splat));
+            let near = probed().near_of_four(&Rays { origin, direction });
+            let meets = probed().inside(ray.origin) || probed().occludes(&ray, Range::AHEAD);
+            assert!(near == 0 || near == 15);
+            assert!(!meets || near == 15, "{ray:?}");
+            (met, far) = (met + u32::from(meets), far + u32::from(near == 0));
+        }
+        assert!(met > 300 && far > 5000, "{met} {far}");
     }
 
     #[test]

@@ -180,6 +180,11 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         None
     }
 
+    /// A box of which it is known that rays that miss it miss the shape, where that is worth asking four of them.
+    fn gate(&self) -> Option<Cuboid> {
+        None
+    }
+
     /// What its author should know once rays have been there.
     fn remark(&self) -> Option<Remark> {
         None

@@ -310,6 +310,13 @@ impl Shape for Poly {
         Some(Arc::new(Self { home: Home::Gate(gate), ..self.clone() }))
     }
 
+    fn gate(&self) -> Option<Cuboid> {
+        match self.home {
+            Home::Gate(gate) => Some(gate),
+            Home::Anywhere | Home::Ball(..) => None,
+        }
+    }
+
     /// The surface is inside, as far as rounding can tell. POV-Ray adds all values below 1e-4.
     fn inside(&self, point: DVec3) -> bool {
         let value = self.sum(point.to_array(), |c| c);

@@ -50,7 +50,7 @@ impl Primitive {
     /// Whether it takes no longer to ask it than to look at its box.
     #[inline]
     pub fn is_soon_asked(&self) -> bool {
-        !matches!(self, Self::Torus(_) | Self::Mesh(_) | Self::Quadric(_) | Self::Other(_))
+        !matches!(self, Self::Mesh(_) | Self::Quadric(_) | Self::Other(_))
     }
 
     /// Whether textures are looked up at its crossings and its normals are those of the surface.
@@ -112,6 +112,7 @@ impl Primitive {
     pub fn near_of_four(&self, rays: impl FnOnce() -> Rays, ends: Lanes) -> Option<u32> {
         match self {
             Self::Torus(torus) => Some(torus.near_of_four(&rays(), ends)),
+            Self::Other(shape) => shape.gate().map(|gate| gate.near_of_four(&rays())),
             _ => None,
         }
     }

@@ -4,6 +4,7 @@ use super::curve::{Curve, Segment, sign_changes};
 use super::stretch::{End, Stretch};
 use super::{Crossing, Shape, uncrossed};
 use crate::math::roots::roots_between;
+use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::{Range, Ray};
 
@@ -45,6 +46,7 @@ impl Prism {
     }
 
     /// Calls back with the crossings of the ray with walls: all those between two distances, and others.
+    #[inline(always)]
     fn push_walls(&self, ray: &Ray, between: [f64; 2], found: &mut impl FnMut(f64, u32, f64)) {
         let (o, d) = (ray.origin, ray.direction);
         // The plane through the ray, along y or through the apex, meets the outline's plane in the line
@@ -96,6 +98,7 @@ impl Prism {
     }
 
     /// A box in the outline's plane around the part of the ray between two distances, seen along y.
+    #[inline(always)]
     fn shadow(&self, ray: &Ray, [from, to]: [f64; 2]) -> [DVec2; 2] {
         let (one, other) = (flat(ray.at(from)), flat(ray.at(to)));
         if self.conic || !one.is_finite() || !other.is_finite() {
@@ -107,6 +110,7 @@ impl Prism {
     }
 
     /// Whether the end that a ray meets is there.
+    #[inline(always)]
     fn has_end(&self, ray: &Ray, end: End) -> bool {
         if self.open || !end.t.is_finite() {
             return false;
@@ -115,6 +119,30 @@ impl Prism {
         point.y = self.heights[end.part as usize];
         let apex = self.conic && point.y == 0.0;
         !apex && self.outline.encloses(self.place(point))
+    }
+
+    /// The nearest crossing in `range`.
+    #[inline(always)]
+    pub(super) fn first(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let (shift, ray) = ray.moved_to(self.center());
+        let [bottom, top] = self.heights;
+        let slab = Stretch::slab((bottom, 0), (top, 1), ray.origin.y, ray.direction.y)?;
+        let is_met = |end: End| range.contains(end.t + shift) && self.has_end(&ray, end);
+        if is_met(slab.enter) {
+            return Some(Crossing::new(slab.enter.t + shift, slab.enter.part));
+        }
+        let between = [slab.enter.t.max(range.min - shift), slab.leave.t.min(range.max - shift)];
+        if between[0] > between[1] {
+            return None;
+        }
+        let mut nearest: Option<Crossing> = None;
+        self.push_walls(&ray, between, &mut |t, part, w| {
+            let is_nearer = nearest.is_none_or(|nearest| t + shift < nearest.t);
+            if slab.enter.t <= t && t <= slab.leave.t && range.contains(t + shift) && is_nearer {
+                nearest = Some(Crossing { t: t + shift, part, at: [w, 0.0] });
+            }
+        });
+        nearest.or_else(|| is_met(slab.leave).then(|| Crossing::new(slab.leave.t + shift, slab.leave.part)))
     }
 
     fn center(&self) -> DVec3 {
@@ -160,25 +188,10 @@ impl Shape for Prism {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let (shift, ray) = ray.moved_to(self.center());
-        let [bottom, top] = self.heights;
-        let slab = Stretch::slab((bottom, 0), (top, 1), ray.origin.y, ray.direction.y)?;
-        let is_met = |end: End| range.contains(end.t + shift) && self.has_end(&ray, end);
-        if is_met(slab.enter) {
-            return Some(Crossing::new(slab.enter.t + shift, slab.enter.part));
-        }
-        let between = [slab.enter.t.max(range.min - shift), slab.leave.t.min(range.max - shift)];
-        if between[0] > between[1] {
-            return None;
-        }
-        let mut nearest: Option<Crossing> = None;
-        self.push_walls(&ray, between, &mut |t, part, w| {
-            let is_nearer = nearest.is_none_or(|nearest| t + shift < nearest.t);
-            if slab.enter.t <= t && t <= slab.leave.t && range.contains(t + shift) && is_nearer {
-                nearest = Some(Crossing { t: t + shift, part, at: [w, 0.0] });
-            }
-        });
-        nearest.or_else(|| is_met(slab.leave).then(|| Crossing::new(slab.leave.t + shift, slab.leave.part)))
+        widest(
+            #[inline(always)]
+            || self.first(ray, range),
+        )
     }
 
     fn inside(&self, point: DVec3) -> bool {

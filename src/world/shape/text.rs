@@ -3,6 +3,7 @@
 use super::curve::Curve;
 use super::prism::Prism;
 use super::{Crossing, Shape, uncrossed};
+use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec2, DVec3};
 use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
@@ -79,14 +80,24 @@ impl Shape for Text {
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let mut nearest: Option<Crossing> = None;
         let mut range = range;
-        self.bvh.along(ray, range, |number| {
-            let glyph = &self.glyphs[number as usize];
-            if let Some(first) = glyph.prism.nearest(ray, range) {
-                nearest = Some(Crossing { part: first.part + glyph.first, ..first });
-                range.max = first.t;
-            }
-            range.max
-        });
+        widest(
+            #[inline(always)]
+            || {
+                self.bvh.along(
+                    ray,
+                    range,
+                    #[inline(always)]
+                    |number| {
+                        let glyph = &self.glyphs[number as usize];
+                        if let Some(first) = glyph.prism.first(ray, range) {
+                            nearest = Some(Crossing { part: first.part + glyph.first, ..first });
+                            range.max = first.t;
+                        }
+                        range.max
+                    },
+                );
+            },
+        );
         nearest
     }
 

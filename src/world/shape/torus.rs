@@ -41,6 +41,12 @@ fn length(x: f64, y: f64) -> f64 {
 }
 
 impl Torus {
+    /// major² - minor².
+    #[inline(always)]
+    fn power(&self) -> f64 {
+        (self.major - self.minor) * (self.major + self.minor)
+    }
+
     /// Whether a ray whose origin is at its closest approach passes the sphere and the slab around, as squares
     /// alone tell.
     #[inline(always)]
@@ -132,7 +138,7 @@ impl Torus {
         };
         let speed = ray.direction.length();
         let stretches = self.stretches(&ray, speed);
-        let line = Line::new(self, &ray);
+        let line = Line::new(self, ray.origin.to_array(), ray.direction.to_array(), self.power());
         let beside = BESIDE * (self.major + self.minor) / speed;
         let wanted = [range.min - shift - beside, range.max - shift + beside];
         let mut found = |t: f64| {
@@ -144,7 +150,7 @@ impl Torus {
             if low > high {
                 continue;
             }
-            let (b, noise) = line.bernstein(low, high);
+            let (b, noise) = line.bernstein(low, high, low.abs().max(high.abs()));
             match roots::each_told_apart(
                 &b,
                 noise,
@@ -187,11 +193,11 @@ impl Torus {
         let Some((shift, ray)) = self.moved(ray) else {
             return Some(false);
         };
-        let line = Line::new(self, &ray);
+        let line = Line::new(self, ray.origin.to_array(), ray.direction.to_array(), self.power());
         for [low, high] in self.stretches(&ray, ray.direction.length()) {
             let (low, high) = (low.max(range.min - shift), high.min(range.max - shift));
             if low < high {
-                let (b, noise) = line.bernstein(low, high);
+                let (b, noise) = line.bernstein(low, high, low.abs().max(high.abs()));
                 if roots::any_told_apart(b, noise)? {
                     return Some(true);
                 }

@@ -50,7 +50,11 @@ impl Part {
 
     /// Strength at a point, and the gradient.
     pub(super) fn field(&self, point: DVec3) -> (f64, DVec3) {
-        let p = self.inverse.transform_point3(point);
+        let scale = self.inverse.matrix3.x_axis.x;
+        let p = match self.is_even {
+            true => point * scale + self.inverse.translation,
+            false => self.inverse.transform_point3(point),
+        };
         let from = if self.tube { p.with_z(0.0) } else { p };
         let rest = 1.0 - from.length_squared();
         let [low, high] = self.ends;
@@ -58,7 +62,8 @@ impl Part {
         if rest <= 0.0 || !within {
             return (0.0, DVec3::ZERO);
         }
-        let slope = self.inverse.matrix3.transpose() * (-4.0 * self.strength * rest * from);
+        let slope = -4.0 * self.strength * rest * from;
+        let slope = if self.is_even { slope * scale } else { self.inverse.matrix3.transpose() * slope };
         (self.strength * rest * rest, slope)
     }
 

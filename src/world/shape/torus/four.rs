@@ -1,29 +1,76 @@
 //! Which of four rays come near a torus.
 
+use super::line::Line;
 use super::{ROOM, Torus};
 use crate::math::Lanes;
 use crate::world::Rays;
 
+/// The greater of each pair; what is no number stays so.
+#[inline(always)]
+fn greater(a: Lanes, b: Lanes) -> Lanes {
+    a.zip(b, |a, b| if b > a { b } else { a })
+}
+
+/// Above zero for those of four polynomials that surely have no root, by their Bernstein coefficients.
+#[inline(always)]
+fn rootless(b: &[Lanes; 5], noise: Lanes) -> Lanes {
+    let (mut least, mut most) = (b[0], b[0]);
+    for b in &b[1..] {
+        least = least.zip(*b, |a, b| if b < a { b } else { a });
+        most = greater(most, *b);
+    }
+    greater(least - noise, -(most + noise))
+}
+
 impl Torus {
-    /// The bits of the rays that may meet it before their ends: those that touch both the sphere and the slab around.
+    /// The bits of the rays that may meet it before their ends: those that touch both the sphere and the slab around,
+    /// unless signs tell that they pass the tube.
     #[inline(always)]
     pub(in crate::world::shape) fn near_of_four(&self, rays: &Rays, ends: Lanes) -> u32 {
         let Rays { mut origin, direction } = *rays;
-        let speed = Lanes::dot(&direction, &direction);
-        let closest = -Lanes::dot(&origin, &direction) / speed;
+        let square_speed = Lanes::dot(&direction, &direction);
+        let closest = -Lanes::dot(&origin, &direction) / square_speed;
         for axis in 0..3 {
             origin[axis] = origin[axis] + closest * direction[axis];
         }
         let radius = (self.major + self.minor) * ROOM;
         let square = -Lanes::dot(&origin, &origin) + radius * radius;
-        let above = origin[1].abs() - self.minor * ROOM;
-        let rise = direction[1] * direction[1] * square * ROOM;
-        let aside = (above * above * speed - rise).where_positive(above, Lanes::splat(-1.0));
+        let height = self.minor * ROOM;
+        let (y, rise) = (origin[1], direction[1]);
+        let above = y.abs() - height;
+        let aside = above * above * square_speed - rise * rise * square * ROOM;
+        let aside = aside.where_positive(above, Lanes::splat(-1.0));
         let behind = closest - ends;
-        let behind = (behind * behind * speed - radius * radius).where_positive(behind, Lanes::splat(-1.0));
+        let behind =
+            (behind * behind * square_speed - radius * radius).where_positive(behind, Lanes::splat(-1.0));
         // What is no number is near.
-        let far = square.bits(|square| square < 0.0) | aside.bits(|aside| aside > 0.0);
-        15 & !(far | behind.bits(|behind| behind > 0.0))
+        let far = greater(greater(-square, aside), behind);
+        let near = 15 & !far.bits(|far| far > 0.0);
+        if near == 0 {
+            return 0;
+        }
+        // As `stretches` has it for one ray.
+        let half = (square / square_speed).sqrt();
+        let (one, other) = ((-y - height) / rise, (-y + height) / rise);
+        let low = one.zip(other, f64::min).zip(half, |low, half| if low > -half { low } else { -half });
+        let high = one.zip(other, f64::max).zip(half, |high, half| if high < half { high } else { half });
+        let hole = self.major - self.minor - (ROOM - 1.0) * (self.major + self.minor);
+        let along = origin[0] * direction[0] + origin[2] * direction[2];
+        let steep = direction[0] * direction[0] + direction[2] * direction[2];
+        let round = origin[0] * origin[0] + origin[2] * origin[2];
+        let chord = (along * along - steep * (round - hole * hole))
+            .map(|chord| if hole > 0.0 { chord } else { -1.0 });
+        let wide = chord.sqrt();
+        let before = high.zip((-along - wide) / steep, |high, end| if end < high { end } else { high });
+        let after = low.zip((wide - along) / steep, |low, end| if end > low { end } else { low });
+        let before = before.where_positive(chord, high);
+        let line = Line::new(self, origin, direction, Lanes::splat(self.power()));
+        let (first, second) = (line.bernstein(low, before, half), line.bernstein(after, high, half));
+        let first = greater(rootless(&first.0, first.1), low - before);
+        let second = greater(rootless(&second.0, second.1), after - high);
+        let second = second.where_positive(chord, Lanes::splat(1.0));
+        let missed = first.zip(second, |a, b| if a > 0.0 && b > 0.0 { 1.0 } else { -1.0 });
+        near & !missed.bits(|missed| missed > 0.0)
     }
 }
 
