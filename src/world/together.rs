@@ -74,8 +74,7 @@ impl Asking<'_> {
     #[inline(always)]
     fn near(&self, number: u32, met: &Met) -> Option<u32> {
         let leaf = self.geometry.lone(number)?;
-        let inner = || leaf.transform.as_ref().map_or(*self.rays, |transform| self.rays.to_inner(transform));
-        leaf.primitive.near_of_four(inner, met.distance)
+        leaf.primitive.near_of_four(|| self.inner(leaf), met.distance)
     }
 
     /// Asks one more object, if need be for the rays of which `near` gives the bits.
@@ -92,6 +91,9 @@ impl Asking<'_> {
             return;
         }
         let mut near = self.near(number, met).unwrap_or_else(|| near(&met.distance)) & self.asked;
+        if near.count_ones() > 1 && self.visit_together(near, number, met, told) {
+            return;
+        }
         while near != 0 {
             self.visit_alone(near.trailing_zeros() as usize % Lanes::COUNT, number, met, told);
             near &= near - 1;
@@ -106,14 +108,48 @@ impl Asking<'_> {
         let range = Range { min: 0.0, max: best.next_up() };
         let member = parts.objects[number as usize].member;
         if let Some(found) = parts.nearest(member, &self.rays.ray(lane), range, self.kind) {
-            let t = found.t();
-            if t < best || (t == best && f64::from(number) < met.object.0[lane]) {
-                told[lane] = Some(Hit::new(found, number));
-                met.distance.0[lane] = t;
-                met.object.0[lane] = f64::from(number);
-                met.part.0[lane] = TOLD;
+            Self::tell(lane, Hit::new(found, number), met, told);
+        }
+    }
+
+    /// Asks an object for the rays of which `near` gives the bits; whether they could be asked together.
+    #[inline(never)]
+    fn visit_together(&self, near: u32, number: u32, met: &mut Met, told: &mut Told) -> bool {
+        let parts = self.geometry.parts();
+        let Member::Leaf(place) = parts.objects[number as usize].member else { return false };
+        let leaf = parts.leaf(place);
+        if leaf.limits.is_some() || leaf.hidden.intersects(self.kind) {
+            return false;
+        }
+        let mut found = [None; Lanes::COUNT];
+        if !leaf.primitive.nearest_together(&self.inner(leaf), near, &met.distance, &mut found) {
+            return false;
+        }
+        tally::primitives(near.count_ones() as usize);
+        for (lane, crossing) in found.into_iter().enumerate() {
+            if let Some(crossing) = crossing {
+                Self::tell(lane, Hit { t: crossing.t, crossing, leaf: place, object: number }, met, told);
             }
         }
+        true
+    }
+
+    /// Keeps a crossing if it is nearer than those before, or as near and of what was declared first.
+    #[inline(always)]
+    fn tell(lane: usize, hit: Hit, met: &mut Met, told: &mut Told) {
+        let (best, object) = (met.distance.0[lane], f64::from(hit.object));
+        if hit.t < best || (hit.t == best && object < met.object.0[lane]) {
+            told[lane] = Some(hit);
+            met.distance.0[lane] = hit.t;
+            met.object.0[lane] = object;
+            met.part.0[lane] = TOLD;
+        }
+    }
+
+    /// The rays in a leaf's own space.
+    #[inline(always)]
+    fn inner(&self, leaf: &Leaf) -> Rays {
+        leaf.transform.as_ref().map_or(*self.rays, |transform| self.rays.to_inner(transform))
     }
 
     /// What a ray meets whose crossing needed no telling in full.

@@ -11,7 +11,7 @@ use smallvec::SmallVec;
 use super::Hull;
 use super::build::{self, Around, Item};
 use super::linear::Slabs;
-use super::node::{NEAR, Node, Probe, SLACK, WIDTH};
+use super::node::{Lanes, NEAR, Node, Probe, SLACK, WIDTH};
 use crate::math::{Bounds, DVec3, tally};
 use crate::world::ray::{Range, Ray};
 
@@ -47,16 +47,43 @@ pub struct Bvh {
 /// A ray on its way through the boxes.
 struct Way {
     probe: Probe,
-    /// Where it starts.
-    start: f64,
-    /// Distances beyond, in the space of the boxes, are so many times larger.
-    scale: f64,
+    place: Measure,
 }
 
-impl Way {
+/// What goes through the boxes: a ray, or several together.
+pub(super) trait Traveller {
     /// A distance in the space of the boxes, or a little more.
+    fn end(&self, t: f64) -> f32;
+
+    /// Entry distances, none negative, and the bits of the boxes met before `far`.
+    fn test(&self, node: &Node, far: f32) -> (Lanes, u32);
+}
+
+impl Traveller for Way {
     #[inline(always)]
     fn end(&self, t: f64) -> f32 {
+        self.place.end(t)
+    }
+
+    #[inline(always)]
+    fn test(&self, node: &Node, far: f32) -> (Lanes, u32) {
+        self.probe.test(node, far)
+    }
+}
+
+/// How distances are told in the space of the boxes.
+#[derive(Clone, Copy)]
+pub(super) struct Measure {
+    /// What is zero there.
+    pub(super) start: f64,
+    /// Distances beyond are so many times larger.
+    pub(super) scale: f64,
+}
+
+impl Measure {
+    /// A distance, or a little more.
+    #[inline(always)]
+    pub(super) fn end(self, t: f64) -> f32 {
         ((t + t.abs() * BLUR - self.start) * self.scale) as f32 * UP + f32::MIN_POSITIVE
     }
 }
@@ -196,9 +223,10 @@ impl Bvh {
     /// See [`Accel::along`](super::Accel::along).
     #[inline(always)]
     pub fn along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> f64) {
+        let Some(way) = self.way(ray, range) else { return };
         self.search(
-            ray,
-            range,
+            &way,
+            range.max,
             #[inline(always)]
             |leaf| visit(leaf & !LEAF),
         );
@@ -207,20 +235,19 @@ impl Bvh {
     /// As [`Bvh::along`], for runs of items.
     #[inline(always)]
     pub fn runs_along(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Span<usize>) -> f64) {
+        let Some(way) = self.way(ray, range) else { return };
         self.search(
-            ray,
-            range,
+            &way,
+            range.max,
             #[inline(always)]
             |leaf| visit(run(leaf)),
         );
     }
 
+    /// Calls back with the leaves that a traveller may meet, as [`Accel::along`](super::Accel::along) does.
     #[inline(always)]
-    fn search(&self, ray: &Ray, range: Range, mut visit: impl FnMut(u32) -> f64) {
-        let Some(way) = self.way(ray, range) else {
-            return;
-        };
-        let mut far = way.end(range.max);
+    pub(super) fn search(&self, way: &impl Traveller, end: f64, mut visit: impl FnMut(u32) -> f64) {
+        let mut far = way.end(end);
         let (mut waiting, mut count, mut more) = ([Waiting(0); STACK], 0, Vec::new());
         let mut next = 0;
         loop {
@@ -233,7 +260,7 @@ impl Bvh {
             } else {
                 let node = &self.nodes[next as usize];
                 tally::boxes(WIDTH);
-                let (near, mut met) = way.probe.test(node, far);
+                let (near, mut met) = way.test(node, far);
                 if met != 0 {
                     let mut nearest = take(&near, node, &mut met);
                     let bottom = count;
@@ -281,7 +308,7 @@ impl Bvh {
         }
         let probe = Probe::new(self.inner(ray.at(range.min)), ray.direction, self.blur);
         if probe.is_tame() {
-            return Some(Way { probe, start: range.min, scale: self.scale });
+            return Some(Way { probe, place: Measure { start: range.min, scale: self.scale } });
         }
         self.moved_up(ray, range)
     }
@@ -295,7 +322,8 @@ impl Bvh {
         let blur = self.center.abs().max(ray.origin.abs()).max_element() * self.scale;
         let blur = ((1.0 + 2.0 * blur) * BLUR) as f32;
         let probe = Probe::new(self.inner(ray.at(start)), ray.direction / span, blur);
-        probe.is_sound().then_some(Way { probe, start, scale: self.scale * span })
+        let place = Measure { start, scale: self.scale * span };
+        probe.is_sound().then_some(Way { probe, place })
     }
 
     /// See [`Accel::any_touching`](super::Accel::any_touching).
@@ -397,7 +425,7 @@ pub(super) fn item(child: u32) -> Option<u32> {
 
 /// The items of a leaf.
 #[inline(always)]
-fn run(leaf: u32) -> Span<usize> {
+pub(super) fn run(leaf: u32) -> Span<usize> {
     let first = (leaf & ((1 << LENGTH) - 1)) as usize;
     first..first + 1 + (leaf >> LENGTH & (LONGEST_RUN as u32 - 1)) as usize
 }

@@ -1,9 +1,11 @@
 //! Rays that travel together: what a pencil of them may meet is found once, and four of its rays at a time are
 //! held against the boxes of that.
 
+use std::ops::Range as Span;
+
 use glam::Vec4;
 
-use super::bvh::Bvh;
+use super::bvh::{Bvh, Measure, Traveller, run};
 use super::node::{self, NEAR, Node, SLACK, WIDTH};
 use crate::math::{Bounds, DVec3, Lanes, tally};
 use crate::world::ray::Rays;
@@ -13,6 +15,9 @@ const MOST: usize = 24;
 
 /// Rays are not followed farther than so many times their way from one box of the pencil to the other.
 const LAST: f32 = 1e30;
+
+/// The longest component of a direction may be so long, or as many times shorter, to go with others.
+const MOST_SPAN: f64 = 1e3;
 
 /// Slopes are kept away from zero, so that none has an infinite inverse.
 const LEAST_SLOPE: f32 = 1e-30;
@@ -88,6 +93,17 @@ struct Edge {
     inverse: f32,
 }
 
+impl Edge {
+    /// From a place along the axis on, on the upper side or, with -1, on the lower one.
+    #[inline(always)]
+    fn new(start: f64, slope: f32, side: f32) -> Self {
+        let slope = slope.abs().max(LEAST_SLOPE).copysign(slope);
+        let start = start as f32;
+        // In single precision the start may be off by a part of it.
+        Self { start: start + side * SLACK * start.abs(), inverse: slope.recip() }
+    }
+}
+
 /// A piece of a pencil whose borders are straight: along each axis the upper edge and the lower one.
 struct Piece {
     edges: [[Edge; 2]; 3],
@@ -98,22 +114,17 @@ struct Piece {
 impl Piece {
     /// From one box to another, where the parameter is 1.
     fn new(from: Bounds, to: Bounds, length: f32) -> Self {
-        let edge = |start: f64, end: f64, side: f32| {
-            let slope = (end - start) as f32;
-            let slope = slope.abs().max(LEAST_SLOPE).copysign(slope);
-            let start = start as f32;
-            Edge { start: start + side * SLACK * start.abs(), inverse: slope.recip() }
+        let edges = |axis: usize| {
+            let edge = |start: f64, end: f64, side: f32| Edge::new(start, (end - start) as f32, side);
+            [edge(from.max[axis], to.max[axis], 1.0), edge(from.min[axis], to.min[axis], -1.0)]
         };
-        // In single precision the start may be off by a part of it.
-        let edges =
-            |axis: usize| [edge(from.max[axis], to.max[axis], 1.0), edge(from.min[axis], to.min[axis], -1.0)];
         Self { edges: [edges(0), edges(1), edges(2)], length }
     }
 
     /// Where it enters a node's boxes, and the bits of those that it meets.
     #[inline(always)]
-    fn test(&self, node: &Node) -> (node::Lanes, u32) {
-        let (mut entry, mut exit) = ([0.0; WIDTH], [self.length; WIDTH]);
+    fn test(&self, node: &Node, length: f32) -> (node::Lanes, u32) {
+        let (mut entry, mut exit) = ([0.0; WIDTH], [length; WIDTH]);
         // Loops over all lanes: so they are compiled for wide registers.
         for axis in 0..3 {
             for side in 0..2 {
@@ -181,7 +192,69 @@ fn single(lanes: Lanes) -> Vec4 {
     Vec4::new(a as f32, b as f32, c as f32, d as f32)
 }
 
+/// What encloses four rays: at each distance along them all their places.
+struct Sheaf {
+    piece: Piece,
+    place: Measure,
+}
+
+impl Traveller for Sheaf {
+    #[inline(always)]
+    fn end(&self, t: f64) -> f32 {
+        self.place.end(t)
+    }
+
+    #[inline(always)]
+    fn test(&self, node: &Node, far: f32) -> (node::Lanes, u32) {
+        self.piece.test(node, far)
+    }
+}
+
+/// The least and the greatest of four; no numbers if one is none.
+#[inline(always)]
+fn extremes(lanes: Lanes) -> [f64; 2] {
+    let [a, b, c, d] = lanes.0;
+    let nothing = 0.0 * (a + b + c + d);
+    let less = |a: f64, b: f64| if b < a { b } else { a };
+    let more = |a: f64, b: f64| if b > a { b } else { a };
+    [less(less(a, b), less(c, d)) + nothing, more(more(a, b), more(c, d)) + nothing]
+}
+
 impl Bvh {
+    /// What encloses four rays, in the space of the tree; `None` where they start far off, or go too fast or slowly.
+    #[inline(always)]
+    fn sheaf(&self, rays: &Rays) -> Option<Sheaf> {
+        let (center, scale) = self.place();
+        let blur = f64::from(self.blur());
+        let mut edges = [[Edge { start: 0.0, inverse: 0.0 }; 2]; 3];
+        let (mut near, mut span) = (!self.nodes().is_empty(), 0.0);
+        for axis in 0..3 {
+            let [low, high] = extremes((rays.origin[axis] - center[axis]) * scale);
+            let [least, most] = extremes(rays.direction[axis]);
+            near &= (-NEAR < low) & (high < NEAR) & (least.abs() < MOST_SPAN) & (most.abs() < MOST_SPAN);
+            span = most.max(-least).max(span);
+            edges[axis] =
+                [Edge::new(high + blur, most as f32, 1.0), Edge::new(low - blur, least as f32, -1.0)];
+        }
+        let place = Measure { start: 0.0, scale };
+        let piece = Piece { edges, length: f32::INFINITY };
+        (near && span > MOST_SPAN.recip()).then_some(Sheaf { piece, place })
+    }
+
+    /// Calls `visit` with the runs of items that any of four rays may meet ahead before `end`, roughly the nearest
+    /// first; it answers with a new end, negative infinity to stop. Whether they could be asked together.
+    #[inline(always)]
+    pub fn runs_along_four(&self, rays: &Rays, end: f64, mut visit: impl FnMut(Span<usize>) -> f64) -> bool {
+        let Some(sheaf) = self.sheaf(rays) else { return false };
+        self.search(
+            &sheaf,
+            end,
+            #[inline(always)]
+            |leaf| visit(run(leaf)),
+        );
+        true
+    }
+
     /// Whether the items that rays of a pencil may meet are few enough to be listed in `within`.
     pub fn within(&self, pencil: &Pencil, within: &mut Within) -> bool {
         (within.center, within.scale) = self.place();
@@ -208,8 +281,9 @@ impl Bvh {
         stack.push(0);
         while let Some(number) = stack.pop() {
             let node = &self.nodes()[number as usize];
-            let (near, first) = near_piece.test(node);
-            let (far, second) = far_piece.as_ref().map_or(([0.0; WIDTH], 0), |piece| piece.test(node));
+            let (near, first) = near_piece.test(node, near_piece.length);
+            let (far, second) =
+                far_piece.as_ref().map_or(([0.0; WIDTH], 0), |piece| piece.test(node, piece.length));
             tally::boxes(WIDTH);
             let mut met = first | second;
             while met != 0 {

@@ -1,17 +1,15 @@
 //! `blob` (docs/spec/primitives.md 5.1).
 
 mod part;
-
-use smallvec::SmallVec;
+mod walk;
 
 pub use self::part::Part;
-use self::part::Span;
+use self::walk::{Sought, Spans, Walk, Walked};
 use super::{Crossing, OWN_TEXTURE, Shape, downhill, uncrossed};
-use crate::math::roots::{between, roots_between};
 use crate::math::wide::widest;
-use crate::math::{Band, Bounds, DVec3};
+use crate::math::{Band, Bounds, DVec3, Lanes};
 use crate::world::accel::Bvh;
-use crate::world::{Range, Ray};
+use crate::world::{Range, Ray, Rays};
 
 /// The surface on which the fields of all parts add up to a threshold; inside they are stronger.
 #[derive(Clone, Debug)]
@@ -26,39 +24,8 @@ pub struct Blob {
     carves: bool,
 }
 
-/// What of a blob a ray is interested in.
-#[derive(Clone, Copy, PartialEq)]
-enum Sought {
-    /// All crossings.
-    All,
-    /// Those before the middle of a part that is strong enough to be inside alone.
-    First,
-    /// The same, but it is enough to know that there is one.
-    Any,
-}
-
-/// What has been found out on the way along a ray.
-#[derive(Clone, Copy, PartialEq)]
-enum Walked {
-    /// All crossings.
-    Wholly,
-    /// Those before the middle of a part.
-    Briefly,
-    /// That there is a crossing somewhere.
-    Met,
-}
-
 /// Parts that are asked one after the other.
 const RUN: usize = 4;
-
-/// How far beyond its ends a range is searched, as a share of the way to the blob's middle.
-const BESIDE: f64 = 1e-6;
-
-/// By how much of the threshold bounds of a sum must keep off it, far more than sums are rounded by.
-const SURE: f64 = 1e-9;
-
-/// How near two events may be to count as one, in units of the stretch of the ray that is in any field.
-const ONE_EVENT: f64 = 1e-13;
 
 impl Blob {
     /// From parts of any size. Parts without strength are left out.
@@ -103,135 +70,28 @@ impl Blob {
 
     /// Calls back with the distance of every crossing within the range or close to it, ascending, until it
     /// returns `false`; some may be left out, as `sought` says.
-    fn walk(&self, ray: &Ray, range: Range, sought: Sought, mut found: impl FnMut(f64) -> bool) -> Walked {
-        let center = if self.bounds.is_finite() { self.bounds.center() } else { DVec3::ZERO };
-        let (shift, ray) = ray.moved_to(center);
-        let room = BESIDE * shift.abs();
-        let mut range = Range { min: range.min - shift - room, max: range.max - shift + room };
-        let mut spans = SmallVec::<[Span; 16]>::new();
-        let (mut peak, mut last) = (0.0, f64::NEG_INFINITY);
-        // What is wholly before or behind the range has no part in any sum within it.
-        let reach = self.bounds.size().length() / ray.direction.length();
-        let reach = if reach.is_finite() { reach } else { f64::INFINITY };
-        let mut line = Range { min: range.min.max(-reach), max: range.max.min(reach) };
-        let sure = SURE * self.threshold.abs();
-        let briefly = sought != Sought::All && !self.carves;
-        // Beyond its box the blob is over: light from there has passed the surface of what it was inside of.
-        let any = sought == Sought::Any
-            && self.bounds.is_finite()
-            && !self.bounds.contains(ray.at(line.max.min(range.max - 2.0 * room)));
-        let last_middle = range.max - 2.0 * room;
-        let (mut brief, mut is_met) = (f64::INFINITY, false);
+    fn walk(&self, ray: &Ray, range: Range, sought: Sought, found: impl FnMut(f64) -> bool) -> Walked {
+        let mut spans = Spans::new();
+        let mut walk = Walk::new(self, ray, range, sought, &mut spans);
         widest(
             #[inline(always)]
             || {
                 self.bvh.runs_along(
-                    &ray,
-                    line,
+                    &walk.ray.clone(),
+                    walk.line,
                     #[inline(always)]
                     |run| {
                         for part in &self.parts[run] {
-                            if let Some(span) = part.meet(&ray) {
-                                if briefly && span.peak > self.threshold + sure {
-                                    let middle = span.middle();
-                                    if middle > line.min && middle < brief {
-                                        brief = middle;
-                                        line.max = line.max.min(brief);
-                                    }
-                                    if any && middle < last_middle && middle > line.min + 2.0 * room {
-                                        is_met = true;
-                                        return f64::NEG_INFINITY;
-                                    }
-                                }
-                                peak += span.peak;
-                                last = span.leave.max(last);
-                                spans.push(span);
+                            if !walk.take(part) {
+                                return f64::NEG_INFINITY;
                             }
                         }
-                        line.max
+                        walk.line.max
                     },
                 );
             },
         );
-        range.max = range.max.min(brief);
-        let walked = if brief < f64::INFINITY { Walked::Briefly } else { Walked::Wholly };
-        if is_met {
-            return Walked::Met;
-        }
-        if peak < self.threshold - sure {
-            return walked;
-        }
-        spans.sort_unstable_by(|a, b| a.enter.total_cmp(&b.enter));
-        let spans = spans.as_slice();
-        let Some(mut end) = spans.first().map(|span| span.enter) else {
-            return walked;
-        };
-        let least_gap = ONE_EVENT * (last - end);
-        let mut entered = 0;
-        // The sum at the end of one gap is that at the start of the next.
-        let mut value = None;
-        let mut active = SmallVec::<[&Span; 16]>::new();
-        while end < last && end < range.max {
-            // From one event to the next: the sum is one polynomial there.
-            let start = end;
-            for place in (0..active.len()).rev() {
-                if active[place].leave <= start {
-                    active.swap_remove(place);
-                }
-            }
-            while entered < spans.len() && spans[entered].enter <= start {
-                active.push(&spans[entered]);
-                entered += 1;
-            }
-            let active = active.as_slice();
-            end = spans.get(entered).map_or(last, |span| span.enter);
-            let mut peak = 0.0;
-            for span in active {
-                end = end.min(span.leave);
-                peak += span.peak;
-            }
-            let length = end - start;
-            // Where a tube ends and its half-ball begins: the two planes are one but for rounding.
-            if length <= least_gap || end <= range.min {
-                continue;
-            }
-            if peak < self.threshold - sure {
-                value = None;
-                continue;
-            }
-            let mut sums = [-self.threshold; 5];
-            for span in active {
-                span.add_between(start, end, &mut sums);
-            }
-            if sums.iter().all(|sum| *sum < -sure) || sums.iter().all(|sum| *sum > sure) {
-                value = None;
-                continue;
-            }
-            let mut quartic = [-self.threshold, 0.0, 0.0, 0.0, 0.0];
-            for span in active {
-                span.add(start, &mut quartic);
-            }
-            let [a, b, c, d, e] = quartic;
-            let at = |t: f64| a + t * (b + t * (c + t * (d + t * e)));
-            let seeds = roots_between::<5>(&quartic, 0.0, length);
-            let seeds = seeds.as_slice();
-            let mut from = (0.0, value.unwrap_or(a));
-            for i in 0..seeds.len().max(1) {
-                let t = seeds.get(i + 1).map_or(length, |next| 0.5 * (seeds[i] + next));
-                let to = (t, at(t));
-                if (from.1 > 0.0) != (to.1 > 0.0) {
-                    // Only where gaps meet can there be a change without a root.
-                    let root = seeds.get(i).copied().unwrap_or_else(|| between(from, to, at));
-                    // Beyond, parts are missing.
-                    if start + root > brief || !found(start + root + shift) {
-                        return walked;
-                    }
-                }
-                from = to;
-            }
-            value = Some(from.1);
-        }
-        walked
+        walk.cross(found)
     }
 }
 
@@ -263,6 +123,59 @@ impl Shape for Blob {
             (None, Walked::Briefly) => seek(Sought::All).0,
             (nearest, _) => nearest,
         }
+    }
+
+    fn nearest_together(
+        &self,
+        rays: &Rays,
+        asked: u32,
+        ends: &Lanes,
+        found: &mut [Option<Crossing>; Lanes::COUNT],
+    ) -> bool {
+        let range = |lane: usize| Range { min: 0.0, max: ends.0[lane].next_up() };
+        let (mut a, mut b, mut c, mut d) = (Spans::new(), Spans::new(), Spans::new(), Spans::new());
+        let walk = |lane: usize, spans| Walk::new(self, &rays.ray(lane), range(lane), Sought::First, spans);
+        let mut walks = [walk(0, &mut a), walk(1, &mut b), walk(2, &mut c), walk(3, &mut d)];
+        let lanes = || (0..Lanes::COUNT).filter(|lane| asked >> lane & 1 == 1);
+        let end = |walks: &[Walk; Lanes::COUNT]| {
+            lanes().fold(f64::NEG_INFINITY, |farthest, lane| farthest.max(walks[lane].end()))
+        };
+        let told = widest(
+            #[inline(always)]
+            || {
+                self.bvh.runs_along_four(
+                    rays,
+                    end(&walks),
+                    #[inline(always)]
+                    |run| {
+                        for part in &self.parts[run] {
+                            let mut near = part.near_of_four(rays) & asked;
+                            while near != 0 {
+                                walks[near.trailing_zeros() as usize % Lanes::COUNT].take(part);
+                                near &= near - 1;
+                            }
+                        }
+                        end(&walks)
+                    },
+                )
+            },
+        );
+        if !told {
+            return false;
+        }
+        for (lane, walk) in walks.into_iter().enumerate().filter(|(lane, _)| asked >> lane & 1 == 1) {
+            let range = range(lane);
+            let mut nearest = None;
+            let walked = walk.cross(|t| {
+                nearest = range.contains(t).then(|| Crossing::new(t, 0));
+                nearest.is_none() && t < range.max
+            });
+            found[lane] = match (nearest, walked) {
+                (None, Walked::Briefly) => self.nearest(&rays.ray(lane), range),
+                (nearest, _) => nearest,
+            };
+        }
+        true
     }
 
     fn occludes(&self, ray: &Ray, range: Range) -> bool {

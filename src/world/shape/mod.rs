@@ -40,8 +40,8 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use self::r#box::Cuboid;
-use super::ray::{Range, Ray};
-use crate::math::{Band, Bounds, DVec2, DVec3};
+use super::ray::{Range, Ray, Rays};
+use crate::math::{Band, Bounds, DVec2, DVec3, Lanes};
 
 /// One crossing of a ray with a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,6 +107,18 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         let nearest = all.iter().copied().min_by(|a, b| a.t.total_cmp(&b.t));
         SPARE.set(all);
         nearest
+    }
+
+    /// Finds what [`Shape::nearest`] does for those of four rays near each other of which `asked` has the bits, ahead
+    /// of their starts and not behind their ends; whether it is quicker to ask that for them together.
+    fn nearest_together(
+        &self,
+        _rays: &Rays,
+        _asked: u32,
+        _ends: &Lanes,
+        _found: &mut [Option<Crossing>; Lanes::COUNT],
+    ) -> bool {
+        false
     }
 
     /// Whether anything is crossed in `range`.

@@ -117,6 +117,20 @@ impl Primitive {
         }
     }
 
+    /// See [`Shape::nearest_together`].
+    pub fn nearest_together(
+        &self,
+        rays: &Rays,
+        asked: u32,
+        ends: &Lanes,
+        found: &mut [Option<Crossing>; Lanes::COUNT],
+    ) -> bool {
+        match self {
+            Self::Other(shape) => shape.nearest_together(rays, asked, ends, found),
+            _ => false,
+        }
+    }
+
     /// Whether [`Primitive::nearest_of_four`] knows it.
     #[inline(always)]
     pub fn takes_four(&self) -> bool {

@@ -2,8 +2,8 @@
 
 use super::super::stretch::Stretch;
 use crate::math::roots::with_discriminant;
-use crate::math::{Bounds, DAffine3, DMat3, DVec3, Transform};
-use crate::world::Ray;
+use crate::math::{Bounds, DAffine3, DMat3, DVec3, Lanes, Transform};
+use crate::world::{Ray, Rays};
 
 /// One ball, half-ball or tube around which a field is.
 #[derive(Clone, Debug)]
@@ -65,6 +65,26 @@ impl Part {
         let slope = -4.0 * self.strength * rest * from;
         let slope = if self.is_even { slope * scale } else { self.inverse.matrix3.transpose() * slope };
         (self.strength * rest * rest, slope)
+    }
+
+    /// The bits of those of four rays that may be in the field somewhere, as [`Part::meet`] tells.
+    #[inline(always)]
+    pub(super) fn near_of_four(&self, rays: &Rays) -> u32 {
+        let axes = if self.tube { 2 } else { 3 };
+        let (mut a, mut b, mut c) = (Lanes::ZERO, Lanes::ZERO, Lanes::splat(0.0));
+        let DAffine3 { matrix3: m, translation } = self.inverse;
+        for axis in 0..axes {
+            let turned = |[x, y, z]: &[Lanes; 3]| match self.is_even {
+                true => [*x, *y, *z][axis] * m.x_axis.x,
+                false => *x * m.x_axis[axis] + *y * m.y_axis[axis] + *z * m.z_axis[axis],
+            };
+            let (from, along) = (turned(&rays.origin) + translation[axis], turned(&rays.direction));
+            a = a + along * along;
+            b = b + from * along;
+            c = c + from * from;
+        }
+        let aside = a * (c - 1.0) - b * b - a * c * CLEAR;
+        15 & !aside.bits(|aside| aside > 0.0)
     }
 
     /// Where a ray is in the field, and how its distance from the middle, squared, starts and grows.
