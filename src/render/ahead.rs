@@ -86,7 +86,7 @@ impl Eye<'_> {
         }
         let rays = self.rays_of_four(perspective, &places);
         let (mut hits, kind) = ([None; Lanes::COUNT], RayKind::IMAGE);
-        self.world.geometry.hits(&tile.within, &rays, Lanes::COUNT, kind, &mut hits);
+        self.world.geometry.hits(&tile.within, &rays, Lanes::COUNT, kind, 0.0, &mut hits);
         let inside = self.inside.clone().unwrap_or_default();
         let mut path = Path { ray: rays.ray(0), level: 0, weight: 1.0, kind, wavelength: None, inside };
         let mut samples = [Sample::default(); Lanes::COUNT];
@@ -167,7 +167,7 @@ impl Eye<'_> {
             apart[lane] = rays.ray(lane);
         }
         let bundle = Bundle { rays: apart, hits: met, randoms: Some(&randoms) };
-        tracer.trace_bundle(
+        tracer.trace_bundle::<_, true>(
             path,
             &bundle,
             hits.len(),

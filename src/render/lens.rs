@@ -96,6 +96,7 @@ impl Eye<'_> {
                     let geometry = &self.world.geometry;
                     let known = pencil.is_some_and(|pencil| geometry.within(&pencil, &mut within));
                     tracer.row = Some(([start, y], known));
+                    tracer.reflections.restart(pencil.filter(|_| known));
                     known
                 }
             }
@@ -129,7 +130,7 @@ impl Eye<'_> {
                     *place = shifted(index);
                 }
                 let rays = self.four_rays(blur, perspective, &places, first);
-                self.world.geometry.hits(&within, &rays, count, kind, &mut hits);
+                self.world.geometry.hits(&within, &rays, count, kind, 0.0, &mut hits);
                 self.four_seen(
                     tracer,
                     &mut path,

@@ -14,6 +14,7 @@ mod mirror;
 mod plain;
 mod quality;
 mod random;
+mod reflections;
 mod refract;
 mod sampling;
 mod shade;

@@ -26,9 +26,9 @@ pub(super) struct Bundle<'a, const N: usize> {
 }
 
 /// A layer that is that simple.
-struct Plain<'w> {
-    finish: &'w Finish,
-    color: Rgb,
+pub(super) struct Plain<'w> {
+    pub(super) finish: &'w Finish,
+    pub(super) color: Rgb,
     /// The lamps that may light it.
     lamps: &'w [u32],
 }
@@ -71,9 +71,14 @@ impl<'w> Tracer<'w> {
         Some(Plain { finish, color: color.rgb, lamps })
     }
 
-    /// The colours of the surfaces that rays met which are that simple.
+    /// The colours of the surfaces that rays met which are that simple. Those from a `LENS` travel on together where
+    /// they are mirrored.
     #[inline]
-    pub(super) fn plain<const N: usize>(&mut self, path: &mut Path, bundle: &Bundle<N>) -> [Option<Rgb>; N] {
+    pub(super) fn plain<const N: usize, const LENS: bool>(
+        &mut self,
+        path: &mut Path,
+        bundle: &Bundle<N>,
+    ) -> [Option<Rgb>; N] {
         let world = self.world;
         let mut surfaces = [const { Intersection::NOWHERE }; N];
         let mut met = [const { None }; N];
@@ -105,6 +110,11 @@ impl<'w> Tracer<'w> {
                 direct[lane] += self.plain_light(&at, leaf, &lit, number, incident);
             }
         }
+        let mirrors = |plain: &Option<Plain>| plain.as_ref().is_some_and(|plain| plain.finish.reflection.is_some());
+        let mut mirrored = [None; N];
+        if LENS && met.iter().any(mirrors) {
+            self.reflections(path, bundle, &met, &surfaces, &mut mirrored);
+        }
         let mut seen = [None; N];
         for lane in 0..N {
             let (Some(Plain { finish, color, .. }), Some(hit)) = (&met[lane], bundle.hits[lane]) else {
@@ -112,7 +122,9 @@ impl<'w> Tracer<'w> {
             };
             let own = finish.ambient * world.settings.ambient_light + finish.emission;
             let mut sum = *color * own + direct[lane];
-            if finish.reflection.is_some() {
+            if let Some(mirrored) = mirrored[lane] {
+                sum += mirrored;
+            } else if finish.reflection.is_some() {
                 path.ray = bundle.rays[lane];
                 self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
                 sum += self.mirrored_by(path, hit, &surfaces[lane], finish, *color);

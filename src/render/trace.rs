@@ -6,6 +6,7 @@ use super::media::{Beam, Between};
 use super::plain::Bundle;
 use super::quality::Quality;
 use super::random::Random;
+use super::reflections::Reflections;
 use super::refract::Inside;
 use super::sampling::Sample;
 use super::shade::Mirror;
@@ -88,6 +89,8 @@ pub(super) struct Tracer<'w> {
     pub(super) within: Within,
     /// The pixels for which that was found, by image coordinates of the first, and whether it is known.
     pub(super) row: Option<([f64; 2], bool)>,
+    /// What they may meet after flat mirrors.
+    pub(super) reflections: Reflections,
     /// What may be in the way of the light at the sample of media at hand.
     pub(super) near: Vec<u32>,
     pub(super) screens: Vec<Screen>,
@@ -136,6 +139,7 @@ impl<'w> Tracer<'w> {
             ahead: Ahead::default(),
             within: Within::default(),
             row: None,
+            reflections: Reflections::default(),
             near: Vec::new(),
             screens: Vec::new(),
             places: Places::default(),
@@ -164,9 +168,10 @@ impl<'w> Tracer<'w> {
         if self.allowed(&path) { self.follow(path, hit) } else { Seen::NOTHING }
     }
 
-    /// The same for the first `count` rays of a bundle, where the air is [`calm`](Self::calm).
+    /// The same for the first `count` rays of a bundle, where the air is [`calm`](Self::calm); whether they come from the
+    /// `LENS` as far as they are known.
     #[inline]
-    pub(super) fn trace_bundle<const N: usize>(
+    pub(super) fn trace_bundle<const N: usize, const LENS: bool>(
         &mut self,
         path: &mut Path,
         bundle: &Bundle<N>,
@@ -174,7 +179,7 @@ impl<'w> Tracer<'w> {
         mut show: impl FnMut(Seen),
     ) {
         path.level += 1;
-        let plain = self.plain(path, bundle);
+        let plain = self.plain::<N, LENS>(path, bundle);
         path.level -= 1;
         for lane in 0..count {
             path.ray = bundle.rays[lane];
@@ -213,7 +218,7 @@ impl<'w> Tracer<'w> {
                 break;
             };
             let alone = Bundle { rays: [path.ray], hits: [Some(met)], randoms: None };
-            if let [Some(seen)] = self.plain(&mut path, &alone) {
+            if let [Some(seen)] = self.plain::<1, false>(&mut path, &alone) {
                 color += left * seen;
                 break;
             }

@@ -76,6 +76,19 @@ impl Rays {
         }
     }
 
+    /// Puts four rays side by side.
+    #[inline(always)]
+    pub fn of(rays: &[Ray; Lanes::COUNT]) -> Self {
+        let mut all = Self { origin: [Lanes::ZERO; 3], direction: [Lanes::ZERO; 3] };
+        for (lane, ray) in rays.iter().enumerate() {
+            for axis in 0..3 {
+                all.origin[axis].0[lane] = ray.origin[axis];
+                all.direction[axis].0[lane] = ray.direction[axis];
+            }
+        }
+        all
+    }
+
     /// One of them.
     #[inline(always)]
     pub fn ray(&self, lane: usize) -> Ray {

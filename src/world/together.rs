@@ -190,7 +190,16 @@ impl Geometry {
     }
 
     /// What [`hit`](Self::hit) answers for the first `count` of four rays of a pencil, all with unit directions.
-    pub fn hits(&self, within: &Within, rays: &Rays, count: usize, kind: RayKind, hits: &mut Told) {
+    /// They start where they come from, or no farther ahead than they have `come`.
+    pub fn hits(
+        &self,
+        within: &Within,
+        rays: &Rays,
+        count: usize,
+        kind: RayKind,
+        come: f64,
+        hits: &mut Told,
+    ) {
         widest(
             #[inline(always)]
             || {
@@ -203,7 +212,7 @@ impl Geometry {
                 let told = if ground.told() == 0 { None } else { Some(*hits) };
                 let mut four = None;
                 for boxed in within.items() {
-                    if met.distance.bits(|distance| distance < boxed.entry) == 15 {
+                    if met.distance.bits(|distance| distance + come < boxed.entry) == 15 {
                         break;
                     }
                     asking.visit(boxed.number, &mut met, hits, |ends| {

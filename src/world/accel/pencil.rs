@@ -56,6 +56,14 @@ impl Pencil {
         let apart = (through.min - from.max).max(from.min - through.max).max(DVec3::ZERO);
         (apart.length_squared() > LEAST_SQUARE).then_some(Self { from, through, ends: false })
     }
+
+    /// What becomes of rays that don't end where a plane mirrors them, as if they came from behind it: the plane of a
+    /// unit normal, at a distance from the origin along it.
+    pub fn mirrored(&self, normal: DVec3, distance: f64) -> Option<Self> {
+        let mirrored = |point: DVec3| point - 2.0 * (normal.dot(point) - distance) * normal;
+        let mirror = |bounds: Bounds| Bounds::of(bounds.corners().map(mirrored));
+        Self::new(mirror(self.from), mirror(self.through))
+    }
 }
 
 /// What the rays of a pencil may meet, the nearest first.
@@ -72,6 +80,12 @@ impl Within {
     #[inline]
     pub fn items(&self) -> &[Boxed] {
         &self.items
+    }
+
+    /// Whether rays may start at a point: it is not too far from the boxes.
+    #[inline]
+    pub fn holds(&self, point: DVec3) -> bool {
+        ((point - self.center) * self.scale).abs().max_element() < NEAR
     }
 }
 
