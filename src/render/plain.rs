@@ -110,7 +110,8 @@ impl<'w> Tracer<'w> {
                 direct[lane] += self.plain_light(&at, leaf, &lit, number, incident);
             }
         }
-        let mirrors = |plain: &Option<Plain>| plain.as_ref().is_some_and(|plain| plain.finish.reflection.is_some());
+        let mirrors =
+            |plain: &Option<Plain>| plain.as_ref().is_some_and(|plain| plain.finish.reflection.is_some());
         let mut mirrored = [None; N];
         if LENS && met.iter().any(mirrors) {
             self.reflections(path, bundle, &met, &surfaces, &mut mirrored);

@@ -78,8 +78,9 @@ impl Geometry {
     #[inline(always)]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Intersection {
         let leaf = self.parts().leaf(hit.leaf);
-        if leaf.transform.is_none() && leaf.primitive.is_simple() {
-            let (point, normal) = leaf.primitive.touched(ray.at(hit.t), &hit.crossing);
+        if let Some((point, normal)) = leaf.primitive.soon_touched(ray.at(hit.t), &hit.crossing)
+            && leaf.transform.is_none()
+        {
             let normal = leaf.outward(normal);
             return Intersection::seen_by(ray, leaf, [point, point, normal, normal]);
         }

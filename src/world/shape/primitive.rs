@@ -60,27 +60,27 @@ impl Primitive {
     }
 
     /// The point of a surface that is simple next to a computed one, and its unit normal there.
-    #[inline(always)]
+    #[inline]
     pub fn touched(&self, point: DVec3, crossing: &Crossing) -> (DVec3, DVec3) {
-        match self {
-            Self::Sphere(sphere) => sphere.touched(point),
-            Self::Box(cuboid) => (cuboid.reproject(point, crossing), cuboid.normal(point, crossing)),
-            Self::Plane(plane) => (plane.reproject(point, crossing), plane.normal),
-            // Taken apart, so that what the others find never has to go through memory.
-            _ => {
-                let (on, normal) = self.touched_elsewhere(point, crossing);
-                (on, normal)
-            }
+        if let Some(touched) = self.soon_touched(point, crossing) {
+            return touched;
         }
-    }
-
-    /// The same for what is neither sphere, box nor plane.
-    fn touched_elsewhere(&self, point: DVec3, crossing: &Crossing) -> (DVec3, DVec3) {
         if let Self::Torus(torus) = self {
             return torus.touched(point);
         }
         let on = self.reproject(point, crossing);
         (on, self.normal(on, crossing).normalize_or_zero())
+    }
+
+    /// The same for spheres, boxes and planes. What these find need not go through memory.
+    #[inline(always)]
+    pub fn soon_touched(&self, point: DVec3, crossing: &Crossing) -> Option<(DVec3, DVec3)> {
+        match self {
+            Self::Sphere(sphere) => Some(sphere.touched(point)),
+            Self::Box(cuboid) => Some((cuboid.reproject(point, crossing), cuboid.normal(point, crossing))),
+            Self::Plane(plane) => Some((plane.reproject(point, crossing), plane.normal)),
+            _ => None,
+        }
     }
 
     /// As [`Primitive::convex`], but that the parts of the ends may be [`UNSAID`](super::stretch::UNSAID),
