@@ -2,8 +2,9 @@
 //! together, and what those of a tile of pixels may meet is found once.
 
 use super::Eye;
-use super::plain::Bundle;
+use super::plain::{Bundle, Room};
 use super::random::Random;
+use super::reflections::Reflections;
 use super::sampling::Sample;
 use super::trace::{Path, Tracer};
 use crate::math::wide::widest;
@@ -39,6 +40,7 @@ struct Tile {
     /// Whether that is known.
     known: bool,
     within: Within,
+    reflections: Reflections,
 }
 
 impl Eye<'_> {
@@ -67,7 +69,8 @@ impl Eye<'_> {
     fn look_ahead(&self, tracer: &mut Tracer, perspective: &Perspective, first: [i32; 2]) -> bool {
         let [column, row] = first;
         let place = first.map(|along| along & !(TILE - 1));
-        let tile = &mut tracer.ahead.tiles[(column / TILE) as usize % TILES];
+        let number = (column / TILE) as usize % TILES;
+        let tile = &mut tracer.ahead.tiles[number];
         if i64::from(column) + i64::from(FOUR) > i64::from(self.options.region.columns.end) {
             return false;
         }
@@ -76,6 +79,7 @@ impl Eye<'_> {
             let pencil = self.pencil_of(perspective, place.map(f64::from));
             let geometry = &self.world.geometry;
             tile.known = pencil.is_some_and(|pencil| geometry.within(&pencil, &mut tile.within));
+            tile.reflections.restart(pencil.filter(|_| tile.known));
         }
         if !tile.known {
             return false;
@@ -90,10 +94,11 @@ impl Eye<'_> {
         let inside = self.inside.clone().unwrap_or_default();
         let mut path = Path { ray: rays.ray(0), level: 0, weight: 1.0, kind, wavelength: None, inside };
         let mut samples = [Sample::default(); Lanes::COUNT];
-        let mut lane = 0;
+        let (mut lane, mut room) = (0, Room::NEW);
+        std::mem::swap(&mut tracer.reflections, &mut tracer.ahead.tiles[number].reflections);
         self.four_seen(
             tracer,
-            &mut path,
+            (&mut path, &mut room),
             &rays,
             &places,
             &hits,
@@ -103,6 +108,7 @@ impl Eye<'_> {
                 lane += 1;
             },
         );
+        std::mem::swap(&mut tracer.reflections, &mut tracer.ahead.tiles[number].reflections);
         (tracer.ahead.first, tracer.ahead.samples) = (Some(first), samples);
         true
     }
@@ -145,7 +151,7 @@ impl Eye<'_> {
     pub(super) fn four_seen(
         &self,
         tracer: &mut Tracer,
-        path: &mut Path,
+        (path, room): (&mut Path, &mut Room<{ Lanes::COUNT }>),
         rays: &Rays,
         places: &[(f64, f64); Lanes::COUNT],
         hits: &[Option<Hit>],
@@ -170,6 +176,7 @@ impl Eye<'_> {
         tracer.trace_bundle::<_, true>(
             path,
             &bundle,
+            room,
             hits.len(),
             #[inline(always)]
             |seen| show(seen.sample()),

@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 
 use super::Eye;
 use super::jitter::jitter;
+use super::plain::Room;
 use super::sampling::Sample;
 use super::trace::{Path, Tracer};
 use crate::math::noise::hashes;
@@ -111,6 +112,7 @@ impl Eye<'_> {
         let nowhere = Ray::new(DVec3::ZERO, DVec3::ZERO);
         let inside = self.inside.clone().unwrap_or_default();
         let kind = RayKind::IMAGE;
+        let mut room = Room::NEW;
         let mut path = Path { ray: nowhere, level: 0, weight: 1.0, kind, wavelength: None, inside };
         for batch in 0.. {
             let end = blur.max_samples().min(sums.count + blur.batch(batch));
@@ -133,7 +135,7 @@ impl Eye<'_> {
                 self.world.geometry.hits(&within, &rays, count, kind, 0.0, &mut hits);
                 self.four_seen(
                     tracer,
-                    &mut path,
+                    (&mut path, &mut room),
                     &rays,
                     &places,
                     &hits[..count],

@@ -25,6 +25,19 @@ pub(super) struct Bundle<'a, const N: usize> {
     pub(super) randoms: Option<&'a [Random; N]>,
 }
 
+/// Room for the surfaces that a bundle meets, and for what a lamp sends there: kept, for clearing it takes time.
+#[derive(Debug)]
+pub(super) struct Room<const N: usize> {
+    surfaces: [Intersection; N],
+    incidents: [Incident; N],
+}
+
+impl<const N: usize> Room<N> {
+    /// Room for any bundle.
+    pub(super) const NEW: Self =
+        Self { surfaces: [Intersection::NOWHERE; N], incidents: [Incident::NOTHING; N] };
+}
+
 /// A layer that is that simple.
 pub(super) struct Plain<'w> {
     pub(super) finish: &'w Finish,
@@ -71,16 +84,16 @@ impl<'w> Tracer<'w> {
         Some(Plain { finish, color: color.rgb, lamps })
     }
 
-    /// The colours of the surfaces that rays met which are that simple. Those from a `LENS` travel on together where
+    /// The colours of the surfaces that rays met which are that simple. Those from the `EYE` travel on together where
     /// they are mirrored.
     #[inline]
-    pub(super) fn plain<const N: usize, const LENS: bool>(
+    pub(super) fn plain<const N: usize, const EYE: bool>(
         &mut self,
         path: &mut Path,
         bundle: &Bundle<N>,
+        Room { surfaces, incidents }: &mut Room<N>,
     ) -> [Option<Rgb>; N] {
         let world = self.world;
-        let mut surfaces = [const { Intersection::NOWHERE }; N];
         let mut met = [const { None }; N];
         let mut lamps = 0;
         for lane in 0..N {
@@ -93,28 +106,27 @@ impl<'w> Tracer<'w> {
         for index in 0..lamps {
             let lamp =
                 |plain: &Option<Plain>| plain.as_ref().and_then(|plain| plain.lamps.get(index).copied());
-            let mut incidents = [const { None }; N];
             for lane in 0..N {
-                let number = lamp(&met[lane]);
-                incidents[lane] =
-                    number.map(|number| world.lights[number as usize].reaching(surfaces[lane].point));
+                if let Some(number) = lamp(&met[lane]) {
+                    incidents[lane] = world.lights[number as usize].reaching(surfaces[lane].point);
+                }
             }
             for lane in 0..N {
                 let (Some(plain), Some(hit)) = (&met[lane], bundle.hits[lane]) else { continue };
-                let (Some(number), Some(incident)) = (lamp(&met[lane]), &incidents[lane]) else { continue };
+                let Some(number) = lamp(&met[lane]) else { continue };
                 let leaf = world.geometry.parts().leaf(hit.leaf);
                 let (surface, direction) = (&surfaces[lane], &bundle.rays[lane].direction);
                 let (finish, color) = (plain.finish, plain.color);
                 let lit = Surface { finish, color, opacity: 1.0, normal: &surface.normal, direction };
                 let at = Target { surface, hit: Some(hit), inside: &path.inside, among: None };
-                direct[lane] += self.plain_light(&at, leaf, &lit, number, incident);
+                direct[lane] += self.plain_light(&at, leaf, &lit, number, &incidents[lane]);
             }
         }
         let mirrors =
             |plain: &Option<Plain>| plain.as_ref().is_some_and(|plain| plain.finish.reflection.is_some());
         let mut mirrored = [None; N];
-        if LENS && met.iter().any(mirrors) {
-            self.reflections(path, bundle, &met, &surfaces, &mut mirrored);
+        if EYE && met.iter().any(mirrors) {
+            self.reflections(path, bundle, &met, surfaces, &mut mirrored);
         }
         let mut seen = [None; N];
         for lane in 0..N {

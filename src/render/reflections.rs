@@ -1,7 +1,7 @@
-//! Rays of a lens that a flat surface mirrors: they travel together once more.
+//! Rays from the eye that a flat surface mirrors: they travel together once more.
 
 use super::mirror;
-use super::plain::{Bundle, Plain};
+use super::plain::{Bundle, Plain, Room};
 use super::random::Random;
 use super::trace::{Path, Tracer};
 use crate::math::{DVec3, Lanes, Rgb};
@@ -15,10 +15,10 @@ const FEW: usize = 4;
 /// Points of one plane are no farther from it, in parts of their coordinates: less than the room around pencils.
 const FLAT: f64 = 1e-13;
 
-/// What rays of a lens may meet once flat surfaces have mirrored them.
+/// What rays from the eye may meet once flat surfaces have mirrored them.
 #[derive(Debug, Default)]
 pub(super) struct Reflections {
-    /// The rays that come from the lens; `None` where they don't travel together.
+    /// The rays that come from there; `None` where they don't travel together.
     pencil: Option<Pencil>,
     /// The planes of mirrors that they met so far, and what they may meet after it.
     mirrors: Vec<(Plane, Within)>,
@@ -37,7 +37,7 @@ struct Plane {
 }
 
 impl Reflections {
-    /// Goes on with other rays from the lens.
+    /// Goes on with other rays from the eye.
     pub(super) fn restart(&mut self, pencil: Option<Pencil>) {
         (self.pencil, self.known) = (pencil, 0);
     }
@@ -78,12 +78,12 @@ struct Mirrored {
     rays: [Ray; Lanes::COUNT],
     randoms: [Random; Lanes::COUNT],
     weight: f32,
-    /// How far they have come from the lens at the most.
+    /// How far they have come at the most.
     come: f64,
 }
 
 impl Tracer<'_> {
-    /// What simple surfaces mirror where rays of a bundle from the lens met them; nothing is said of those that have to
+    /// What simple surfaces mirror where rays of a bundle from the eye met them; nothing is said of those that have to
     /// look for themselves.
     pub(super) fn reflections<const N: usize>(
         &mut self,
@@ -125,10 +125,11 @@ impl Tracer<'_> {
         let mut path = Path { ray: rays[0], level, weight, kind, wavelength, inside };
         let hits = [hits[0].as_ref(), hits[1].as_ref(), hits[2].as_ref(), hits[3].as_ref()];
         let bundle = Bundle { rays: *rays, hits, randoms: Some(randoms) };
-        let mut lane = 0;
+        let (mut lane, mut room) = (0, Room::NEW);
         self.trace_bundle::<_, false>(
             &mut path,
             &bundle,
+            &mut room,
             *count,
             #[inline(always)]
             |found| {

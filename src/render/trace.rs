@@ -3,7 +3,7 @@
 
 use super::ahead::Ahead;
 use super::media::{Beam, Between};
-use super::plain::Bundle;
+use super::plain::{Bundle, Room};
 use super::quality::Quality;
 use super::random::Random;
 use super::reflections::Reflections;
@@ -169,17 +169,18 @@ impl<'w> Tracer<'w> {
     }
 
     /// The same for the first `count` rays of a bundle, where the air is [`calm`](Self::calm); whether they come from the
-    /// `LENS` as far as they are known.
+    /// `EYE` as far as they are known.
     #[inline]
-    pub(super) fn trace_bundle<const N: usize, const LENS: bool>(
+    pub(super) fn trace_bundle<const N: usize, const EYE: bool>(
         &mut self,
         path: &mut Path,
         bundle: &Bundle<N>,
+        room: &mut Room<N>,
         count: usize,
         mut show: impl FnMut(Seen),
     ) {
         path.level += 1;
-        let plain = self.plain::<N, LENS>(path, bundle);
+        let plain = self.plain::<N, EYE>(path, bundle, room);
         path.level -= 1;
         for lane in 0..count {
             path.ray = bundle.rays[lane];
@@ -199,6 +200,7 @@ impl<'w> Tracer<'w> {
     fn follow(&mut self, mut path: Path, first: &Option<Hit>) -> Seen {
         let mut hit = first;
         let mut beyond;
+        let mut room = Room::NEW;
         let (mut color, mut transmit) = (Rgb::ZERO, 0.0);
         // What the way so far leaves of the light and of the transparency behind.
         let (mut left, mut clear) = (Rgb::ONE, 1.0);
@@ -218,7 +220,7 @@ impl<'w> Tracer<'w> {
                 break;
             };
             let alone = Bundle { rays: [path.ray], hits: [Some(met)], randoms: None };
-            if let [Some(seen)] = self.plain::<1, false>(&mut path, &alone) {
+            if let [Some(seen)] = self.plain::<1, false>(&mut path, &alone, &mut room) {
                 color += left * seen;
                 break;
             }

@@ -75,6 +75,10 @@ pub struct Incident {
 const DARK: f32 = 1e-10;
 
 impl Incident {
+    /// No light.
+    pub const NOTHING: Self =
+        Self { direction: DVec3::ZERO, distance: 0.0, attenuation: 0.0, color: Rgb::ZERO };
+
     /// Whether nothing arrives.
     #[inline]
     pub fn is_dark(&self) -> bool {
