@@ -40,28 +40,35 @@ fn linear_search_octree_and_tree_of_boxes_make_the_same_picture() {
 }
 
 #[test]
-fn rays_of_a_lens_meet_together_what_they_meet_alone() {
+fn rays_from_the_eye_meet_together_what_they_meet_alone() {
     // Only the tree of boxes lets rays travel together.
-    let objects = "light_source{<5,9,-8> rgb 1} plane{y,-.5 pigment{checker rgb 1 rgb .2}}
+    let objects = "light_source{<5,9,-8> rgb 1} plane{y,-.5 pigment{checker rgb 1 rgb .2} finish{Floor}}
         #for(I,-3,3) sphere{<I,0,I>,.5 pigment{rgb<.5+.1*I,.6,.7>} finish{phong .5}}
             box{-.4,.4 translate <I,-.1,2-I> pigment{rgb<.3,.6,1>} finish{reflection .2}} #end
         torus{.6,.2 translate <0,1,-1> pigment{rgb<1,.5,.2>}} sphere{<-1,1,0>,.3 pigment{rgbt<1,.7,.2,.5>}}
         difference{box{-.5,.5} sphere{.4,.5} rotate 30*y translate <1.5,1,0> pigment{bozo}}
         cylinder{<-2,0,1>,<-2,2,1>,.2 pigment{rgb .5} normal{bumps}}";
-    for (camera, sky) in [
-        ("aperture .4 focal_point 0 blur_samples 19", "background{rgb <.2,.3,.5>}"),
+    let even = "background{rgb <.2,.3,.5>}";
+    for (camera, floor, sky) in [
+        ("", "", even),
+        ("", "reflection{.1,.9 falloff 3 exponent 1.5}", even),
+        ("aperture .4 focal_point 0 blur_samples 19", "", even),
+        ("aperture .4 focal_point 0 blur_samples 19", "reflection{.3 metallic} metallic", even),
         (
             "aperture 1.5 focal_point <0,0,-2> blur_samples 40 variance .001",
+            "reflection{0,1}",
             "sky_sphere{pigment{gradient y}}",
         ),
-        ("aperture .4 focal_point 0 blur_samples 10 normal{bumps .1}", ""),
+        ("aperture .4 focal_point 0 blur_samples 10 normal{bumps .1}", "", ""),
     ] {
-        let sdl = format!("camera{{location <0,2,-7> look_at 0 {camera}}} {sky} {objects}");
+        let sdl = format!(
+            "#declare Floor=finish{{{floor}}} camera{{location <0,2,-7> look_at 0 {camera}}} {sky} {objects}"
+        );
         let [linear, tree] = [Accelerator::Linear, Accelerator::Bvh].map(|accelerator| {
             let options = RenderOptions { accelerator, ..RenderOptions::new(48, 36) };
             picture(&scene(&sdl, "3.7"), &options).unwrap().image
         });
-        assert!(tree == linear, "{camera}");
+        assert!(tree == linear, "{camera} {floor}");
         let rgb = |[r, g, b, _]: &[f32; 4]| (r + g + b).to_bits();
         let colors: std::collections::HashSet<u32> = tree.pixels.iter().map(rgb).collect();
         assert!(colors.len() > 300, "{camera}: {} colours", colors.len());
