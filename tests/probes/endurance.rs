@@ -1,6 +1,6 @@
 //! Long ways of light, and the same picture whatever finds the objects.
 
-use povista::options::{Accelerator, RenderOptions};
+use povista::options::{Accelerator, Antialias, RenderOptions};
 
 use crate::table::{picture, scene};
 
@@ -36,6 +36,29 @@ fn linear_search_octree_and_tree_of_boxes_make_the_same_picture() {
     });
     for other in others {
         assert!(other == linear);
+    }
+}
+
+#[test]
+fn pixels_that_are_looked_at_together_show_what_they_show_alone() {
+    // Only trees of boxes let rays travel together.
+    let objects = "light_source{<5,9,-8> rgb 1} light_source{<-9,2,-3> rgb .3}
+        plane{y,-.9 pigment{checker rgb 1 rgb .2}}
+        #for(I,-3,3) torus{.5,.2 rotate <40*I,70*I,0> translate <I,.4*I,I> pigment{rgb<.5+.1*I,.6,.7>}} #end
+        blob{threshold .5 sphere{<0,0,-2>,.7,1} sphere{<.5,.2,-2>,.6,1} cylinder{<-1,0,-2>,<0,.5,-2>,.3,.8}
+            sphere{<.1,.3,-2.3>,.4,-.6} pigment{rgbt<.4,.8,.5,.2>}}
+        text{ttf \"timrom.ttf\" \"fours\" .2,0 scale .8 rotate 20*y translate <-2,1,-1> pigment{rgb<.9,.7,.3>}}
+        quartic{<4,0,0,-4,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 1,0,0,0,0, 0,0,1,0,0>
+            bounded_by{box{<-.01,-.7,-.7>,<1.01,.7,.7>}} rotate 60*z translate <1.2,-.6,-2> pigment{rgb<.8,.3,.3>}}
+        sphere{<-1,1.6,0>,.4 pigment{rgbt<1,.7,.2,.5>} finish{reflection .3}}";
+    for (antialias, fog) in [(None, ""), (Some(Antialias::default()), "fog{distance 20 rgb .5}")] {
+        let sdl = format!("camera{{location <0,1.5,-6> look_at 0}} {fog} {objects}");
+        let [linear, tree, auto] =
+            [Accelerator::Linear, Accelerator::Bvh, Accelerator::Auto].map(|accelerator| {
+                let options = RenderOptions { accelerator, antialias, ..RenderOptions::new(67, 41) };
+                picture(&scene(&sdl, "3.7"), &options).unwrap().image
+            });
+        assert!(tree == linear && auto == linear, "{fog}");
     }
 }
 

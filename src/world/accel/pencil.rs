@@ -5,7 +5,7 @@ use std::ops::Range as Span;
 
 use glam::Vec4;
 
-use super::bvh::{Bvh, Measure, Traveller, run};
+use super::bvh::{Bvh, LEAF, Measure, Traveller, run};
 use super::node::{self, NEAR, Node, SLACK, WIDTH};
 use crate::math::{Bounds, DVec3, Lanes, tally};
 use crate::world::ray::Rays;
@@ -253,6 +253,19 @@ impl Bvh {
         let place = Measure { start: 0.0, scale };
         let piece = Piece { edges, length: f32::INFINITY };
         (near && span > MOST_SPAN.recip()).then_some(Sheaf { piece, place })
+    }
+
+    /// As [`Bvh::runs_along_four`], for items that are no runs.
+    #[inline(always)]
+    pub fn along_four(&self, rays: &Rays, end: f64, mut visit: impl FnMut(u32) -> f64) -> bool {
+        let Some(sheaf) = self.sheaf(rays) else { return false };
+        self.search(
+            &sheaf,
+            end,
+            #[inline(always)]
+            |leaf| visit(leaf & !LEAF),
+        );
+        true
     }
 
     /// Calls `visit` with the runs of items that any of four rays may meet ahead before `end`, roughly the nearest

@@ -1,12 +1,13 @@
 //! `text` (docs/spec/primitives.md 6.5).
 
+use super::r#box::Cuboid;
 use super::curve::Curve;
 use super::prism::Prism;
 use super::{Crossing, Shape, uncrossed};
 use crate::math::wide::widest;
-use crate::math::{Band, Bounds, DVec2, DVec3};
+use crate::math::{Band, Bounds, DVec2, DVec3, Lanes};
 use crate::world::accel::Bvh;
-use crate::world::{Range, Ray};
+use crate::world::{Range, Ray, Rays};
 
 /// Glyphs in a row: [`Prism`]s, so that writing is in the plane of x and z and depth along y.
 ///
@@ -99,6 +100,45 @@ impl Shape for Text {
             },
         );
         nearest
+    }
+
+    fn nearest_together(
+        &self,
+        rays: &Rays,
+        asked: u32,
+        ends: &Lanes,
+        found: &mut [Option<Crossing>; Lanes::COUNT],
+    ) -> bool {
+        let mut ends = *ends;
+        for lane in 0..Lanes::COUNT {
+            ends.0[lane] = if asked >> lane & 1 == 1 { ends.0[lane].next_up() } else { f64::NEG_INFINITY };
+        }
+        let farthest = |ends: &Lanes| ends.0.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        widest(
+            #[inline(always)]
+            || {
+                self.bvh.along_four(
+                    rays,
+                    farthest(&ends),
+                    #[inline(always)]
+                    |number| {
+                        let glyph = &self.glyphs[number as usize];
+                        let Bounds { min, max } = glyph.prism.bounds();
+                        let mut near = Cuboid { min, max }.near_of_four(rays) & asked;
+                        while near != 0 {
+                            let lane = near.trailing_zeros() as usize % Lanes::COUNT;
+                            near &= near - 1;
+                            let range = Range { min: 0.0, max: ends.0[lane] };
+                            if let Some(first) = glyph.prism.first(&rays.ray(lane), range) {
+                                found[lane] = Some(Crossing { part: first.part + glyph.first, ..first });
+                                ends.0[lane] = first.t;
+                            }
+                        }
+                        farthest(&ends)
+                    },
+                )
+            },
+        )
     }
 
     /// With both faces, other than a prism.
