@@ -141,9 +141,9 @@ fn what_is_evaluated_is_counted() {
 fn what_is_not_near_a_ray_is_not_asked() {
     let balls =
         |count: usize| (0..count).map(|i| format!("sphere{{<{},50,9>,1}}", 3 * i)).collect::<String>();
-    // A few are held against each ray, of many whole groups at once.
+    // Boxes are held against tiles of pixels, eight at a time.
     let few = statistics(&format!("{} FLOOR", balls(5)));
-    assert_eq!((few.boxes, few.primitives), (192 * 5, 192));
+    assert_eq!((few.boxes, few.primitives), (4 * 8, 192));
     let many = statistics(&format!("{} FLOOR", balls(500)));
     assert!(many.boxes <= 192 * 8 && many.primitives == 192, "{many:?}");
 }
