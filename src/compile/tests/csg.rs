@@ -182,6 +182,31 @@ fn clips_of_compounds_cut_the_whole() {
 }
 
 #[test]
+fn clips_cut_the_same_whatever_they_are_made_of() {
+    let whole = cube(v(-0.6, -0.5, -2.), v(0.7, 0.4, 0.3));
+    let halves =
+        union([cube(v(-0.6, -0.5, -2.), v(0.2, 0.4, 0.3)), cube(v(0.1, -0.5, -2.), v(0.7, 0.4, 0.3))]);
+    let bounded = clipped(sphere(0.3 * X, 0.8), [plane(Y, 0.2)]);
+    let spread = union([sphere(-0.3 * X, 0.6), bounded, plane(v(0., 0.3, 1.), 0.1), d1()]);
+    let mut numbers = Numbers(5);
+    for original in [d1(), mc(), cl(), spread, sphere(DVec3::ZERO, 0.9)] {
+        let [one, two] = [&whole, &halves].map(|clip| probe(&clipped(original.clone(), [clip.clone()])));
+        let mut hits = 0;
+        for _ in 0..1000 {
+            let (origin, to) = (3. * numbers.vector(), numbers.vector());
+            let [one, two] = [&one, &two].map(|probe| probe.trace(origin, to - origin));
+            let (Some((p, n)), Some((q, m))) = (one, two) else {
+                assert_eq!(one, two, "from {origin} to {to}");
+                continue;
+            };
+            assert!(p.abs_diff_eq(q, 1e-12) && n.abs_diff_eq(m, 1e-11), "from {origin} to {to}: {p} {q}");
+            hits += 1;
+        }
+        assert!(hits > 200, "{hits}");
+    }
+}
+
+#[test]
 fn transforms_of_compounds_reach_members_and_clips() {
     let by = Transform::rotate(v(10., 20., 30.))
         .then(&Transform::scale(v(2., 0.5, 3.)))

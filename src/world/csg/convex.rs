@@ -6,6 +6,7 @@ use smallvec::SmallVec;
 
 use super::COARSE;
 use super::scratch::Found;
+use super::soon::Unclear;
 use crate::math::wide::widest;
 use crate::world::object::{LeafFlags, Member};
 use crate::world::parts::{Group, MOST_CONVEX, Operation, Parts};
@@ -15,9 +16,6 @@ use crate::world::shape::stretch::{Stretch, UNSAID};
 
 /// The most members of such a compound.
 const MOST: usize = MOST_CONVEX;
-
-/// Two faces are too close to each other to tell which comes first.
-struct Unclear;
 
 /// The stretches of a ray inside of the members of a compound that it meets.
 struct Stretches {
@@ -52,24 +50,28 @@ impl Edge {
 }
 
 impl Parts {
-    /// The nearest point in `range` of the surface of a compound of convex solids; `None` where faces are
-    /// too close to each other to tell.
-    pub(super) fn nearest_of_convex(&self, group: &Group, ray: &Ray, range: Range) -> Option<Option<Found>> {
+    /// The nearest point in `range` of the surface of a compound of convex solids.
+    pub(super) fn nearest_of_convex(
+        &self,
+        group: &Group,
+        ray: &Ray,
+        range: Range,
+    ) -> Result<Option<Found>, Unclear> {
         widest(
             #[inline(always)]
             || {
                 let mut stretches = Stretches::new(ray);
                 let edge = self.first_edge(group, ray, range, &mut stretches)?;
-                Some(edge.and_then(|edge| self.found(ray, &stretches, edge)))
+                Ok(edge.and_then(|edge| self.found(ray, &stretches, edge)))
             },
         )
     }
 
     /// Whether anything of such a compound is in `range`.
-    pub(super) fn occludes_convex(&self, group: &Group, ray: &Ray, range: Range) -> Option<bool> {
+    pub(super) fn occludes_convex(&self, group: &Group, ray: &Ray, range: Range) -> Result<bool, Unclear> {
         widest(
             #[inline(always)]
-            || Some(self.first_edge(group, ray, range, &mut Stretches::new(ray))?.is_some()),
+            || Ok(self.first_edge(group, ray, range, &mut Stretches::new(ray))?.is_some()),
         )
     }
 
@@ -81,15 +83,15 @@ impl Parts {
         ray: &Ray,
         range: Range,
         stretches: &mut Stretches,
-    ) -> Option<Option<Edge>> {
+    ) -> Result<Option<Edge>, Unclear> {
         if range.min == f64::NEG_INFINITY {
-            return None;
+            return Err(Unclear);
         }
         if !self.meet(group, ray, range, stretches) {
-            return Some(None);
+            return Ok(None);
         }
-        let edge = stretches.nearest(group.operation, range).ok()?;
-        Some(edge.filter(|edge| range.contains(edge.t)))
+        let edge = stretches.nearest(group.operation, range)?;
+        Ok(edge.filter(|edge| range.contains(edge.t)))
     }
 
     /// The crossing at an edge.
@@ -108,7 +110,7 @@ impl Parts {
     }
 
     /// All points in `range` of the surface of such a compound, in ascending order, until `visit` says to
-    /// stop; whether it did. `None` where faces are too close to each other to tell.
+    /// stop; whether it did.
     #[inline(always)]
     pub(super) fn along_convex(
         &self,
@@ -116,23 +118,23 @@ impl Parts {
         ray: &Ray,
         mut range: Range,
         visit: impl FnMut(Found) -> bool,
-    ) -> Option<bool> {
+    ) -> Result<bool, Unclear> {
         if range.min == f64::NEG_INFINITY {
-            return None;
+            return Err(Unclear);
         }
         let mut stretches = Stretches::new(ray);
         if !self.meet(group, ray, range, &mut stretches) {
-            return Some(false);
+            return Ok(false);
         }
         let mut edges = SmallVec::<[Edge; 2 * MOST]>::new();
-        while let Some(edge) = stretches.nearest(group.operation, range).ok()? {
+        while let Some(edge) = stretches.nearest(group.operation, range)? {
             if edge.t >= range.max {
                 break;
             }
             edges.push(edge);
             range.min = edge.t;
         }
-        Some(edges.into_iter().filter_map(|edge| self.found(ray, &stretches, edge)).any(visit))
+        Ok(edges.into_iter().filter_map(|edge| self.found(ray, &stretches, edge)).any(visit))
     }
 
     /// Finds where a ray is inside of each member; whether it may meet the whole.

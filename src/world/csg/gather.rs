@@ -102,42 +102,6 @@ impl Parts {
         ask(&leaf.primitive, &leaf.asked(ray), inner)
     }
 
-    /// The nearest point of a leaf's surface where only convex solids cut it; `None` where these are not, or too near
-    /// to it to tell.
-    pub(super) fn nearest_of_clipped(
-        &self,
-        number: u32,
-        ray: &Ray,
-        range: Range,
-        kind: RayKind,
-    ) -> Option<Option<Found>> {
-        let leaf = self.leaf(number);
-        let limits = leaf.limits.as_deref()?;
-        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
-        for &clip in &limits.clips {
-            let Member::Leaf(clip) = clip else { return None };
-            let clip = self.leaf(clip);
-            if !clip.is_convex() || clip.flags.contains(LeafFlags::INVERTED) {
-                return None;
-            }
-            let Some(span) = clip.primitive.span(&clip.asked(ray)) else { return Some(None) };
-            (enter, leave) = (enter.max(span.enter.t), leave.min(span.leave.t));
-        }
-        let room = |t: f64| {
-            let scale = ray.origin.abs().max(ray.at(t).abs()).max_element();
-            if t.is_finite() { 4.0 * COARSE * scale / ray.direction.length() } else { 0.0 }
-        };
-        let (before, behind) = (room(enter), room(leave));
-        let near = Range { min: range.min.max(enter - before), max: range.max.min(leave + behind) };
-        let is_asked = near.min < near.max && !leaf.hidden.intersects(kind);
-        if !is_asked || !self.admits(Member::Leaf(number), ray) {
-            return Some(None);
-        }
-        let Some(crossing) = leaf.primitive.nearest(&leaf.asked(ray), near) else { return Some(None) };
-        let is_clear = crossing.t > enter + before && crossing.t < leave - behind;
-        is_clear.then_some(Some(Found { crossing, leaf: number, near: 0 }))
-    }
-
     /// Adds a member and everything of it that is near the ray. Answers how to tell its inside.
     fn gather(&self, member: Member, way: Way, scratch: &mut Scratch) -> Inside {
         match member {

@@ -12,15 +12,17 @@ mod along;
 mod convex;
 mod gather;
 mod scratch;
+mod soon;
 mod survive;
 
 pub(super) use scratch::Found;
+use soon::Unclear;
 use survive::Tree;
 
 use super::object::{Member, RayKind};
 use super::parts::{Group, Parts};
 use super::ray::{Range, Ray};
-use super::shape::{Crossing, Primitive, Shape};
+use super::shape::{Crossing, Shape};
 use crate::math::DVec3;
 use crate::math::wide::widest;
 
@@ -74,67 +76,28 @@ impl Parts {
 
     /// As [`Parts::nearest`], for what is cut or made of several primitives.
     fn nearest_of_many(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
-        if let Some(group) = self.as_convex(member) {
-            if self.is_hidden(group, kind) || !self.admits(member, ray) {
-                return None;
-            }
-            if let Some(nearest) = self.nearest_of_convex(group, ray, range) {
-                return nearest;
-            }
+        match self.nearest_soon(member, ray, range, kind) {
+            Ok(nearest) => nearest,
+            Err(Unclear) => self.nearest_of_any(member, ray, range, kind),
         }
-        self.nearest_of_any(member, ray, range, kind)
     }
 
     /// Whether anything of an object's surface is in `range`.
     pub(super) fn occludes(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> bool {
-        if let Some(group) = self.as_convex(member) {
-            if self.is_hidden(group, kind) || !self.admits(member, ray) {
-                return false;
-            }
-            if let Some(occludes) = self.occludes_convex(group, ray, range) {
-                return occludes;
-            }
+        match self.occludes_soon(member, ray, range, kind) {
+            Ok(occludes) => occludes,
+            Err(Unclear) => self.nearest_of_any(member, ray, range, kind).is_some(),
         }
-        if let Some(number) = self.as_bounded(member) {
-            let ask = |primitive: &Primitive, ray: &Ray, range| primitive.occludes(ray, range).then_some(());
-            return self.ask_bounded(number, ray, range, kind, ask).is_some();
-        }
-        self.nearest_of_any(member, ray, range, kind).is_some()
-    }
-
-    /// The number of a leaf that nothing cuts.
-    #[inline]
-    fn as_bounded(&self, member: Member) -> Option<u32> {
-        let Member::Leaf(number) = member else { return None };
-        self.leaf(number).limits.as_ref().is_none_or(|limits| limits.clips.is_empty()).then_some(number)
     }
 
     /// The member if it is a compound of a few convex solids of which nothing is clipped away.
     fn as_convex(&self, member: Member) -> Option<&Group> {
         let Member::Group(number) = member else { return None };
-        Some(self.group(number)).filter(|group| {
-            group.convex && group.limits.as_ref().is_none_or(|limits| limits.clips.is_empty())
-        })
+        Some(self.group(number)).filter(|group| group.convex && self.is_whole(member))
     }
 
-    /// Whether such rays don't see a compound whose members are all hidden from the same.
-    fn is_hidden(&self, group: &Group, kind: RayKind) -> bool {
-        let hidden =
-            |&member| matches!(member, Member::Leaf(leaf) if self.leaf(leaf).hidden.intersects(kind));
-        group.members.first().is_some_and(hidden)
-    }
-
-    /// The same, however close faces are.
+    /// The nearest point of an object's surface, however close surfaces are.
     fn nearest_of_any(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
-        if let Some(number) = self.as_bounded(member) {
-            let crossing = self.ask_bounded(number, ray, range, kind, Primitive::nearest)?;
-            return Some(Found { crossing, leaf: number, near: 0 });
-        }
-        if let Member::Leaf(number) = member
-            && let Some(nearest) = self.nearest_of_clipped(number, ray, range, kind)
-        {
-            return nearest;
-        }
         self.with_crossings(member, ray, range, kind, |scratch| {
             let (found, tree) = (&scratch.found, Tree::new(self, ray, scratch));
             let first = (0..found.len()).find(|&i| range.contains(found[i].t()) && tree.survives(i))?;
@@ -169,7 +132,7 @@ impl Parts {
                 #[inline(always)]
                 || self.along_convex(group, ray, range, &mut visit),
             );
-            if let Some(stopped) = known {
+            if let Ok(stopped) = known {
                 return stopped;
             }
         }
