@@ -6,7 +6,8 @@ use crate::scene::object::ObjectFlags;
 use crate::scene::shape::{Csg, CsgOperation};
 use crate::scene::{Object, Shape};
 use crate::world::extent::Extent;
-use crate::world::object::Limits;
+use crate::world::narrow;
+use crate::world::object::{Leaf, LeafFlags, Limits};
 use crate::world::parts::{Group, Operation};
 use crate::world::{Member, RayKind};
 
@@ -43,6 +44,7 @@ impl Flattener<'_> {
         }
         let mut group = Group::new(operation, members, parts, self.accelerator);
         group.difference = csg.operation == CsgOperation::Difference;
+        let limits = limits.and_then(|limits| self.needed(limits, &group));
         group.extent = self.clipped(group.extent, limits.as_deref());
         group.limits = limits;
         self.flat.parts.groups.push(group);
@@ -75,6 +77,26 @@ impl Flattener<'_> {
         };
         let limits = Limits { clips, bounds };
         (!limits.clips.is_empty() || !limits.bounds.is_empty()).then(|| Box::new(limits))
+    }
+
+    /// The limits of a compound but for convex bounds that hold all of it anyhow.
+    fn needed(&self, mut limits: Box<Limits>, group: &Group) -> Option<Box<Limits>> {
+        let parts = &self.flat.parts;
+        let Extent { bounds, beyond: false } = group.extent else { return Some(limits) };
+        if bounds.is_finite() && !bounds.is_empty() {
+            let leaf = |member: &Member| match *member {
+                Member::Leaf(number) => Some(parts.leaf(number)),
+                Member::Group(_) => None,
+            };
+            let common = group.members.iter().filter(|_| group.operation == Operation::Intersection);
+            let corners = narrow::corners(common.filter_map(leaf), bounds);
+            let holds = |bound: &Leaf| {
+                let is_plain = bound.is_convex() && !bound.flags.contains(LeafFlags::INVERTED);
+                is_plain && corners.iter().all(|&corner| bound.contains(corner))
+            };
+            limits.bounds.retain(|bound| !leaf(bound).is_some_and(holds));
+        }
+        (!limits.clips.is_empty() || !limits.bounds.is_empty()).then_some(limits)
     }
 
     /// Where something may be that is clipped.

@@ -5,6 +5,7 @@ pub mod atmosphere;
 pub mod camera;
 mod csg;
 pub mod extent;
+pub mod facets;
 pub mod function;
 pub mod hit;
 pub mod image;

@@ -10,6 +10,9 @@ const STRAY: f64 = 1e-12;
 /// Boxes are larger than computed by this share of their size, more than rounding can take from them.
 const ROOM: f64 = 1e-9;
 
+/// Corners are farther out than computed by this share.
+const ASIDE: f64 = 1e-6;
+
 /// Of more planes only so many are asked for corners.
 const MOST_PLANES: usize = 16;
 
@@ -54,6 +57,33 @@ pub fn common<'a>(leaves: impl Iterator<Item = &'a Leaf> + Clone, known: Bounds)
         bounds = bounds.intersection(quadric.narrowed(within).transformed(place));
     }
     if bounds.is_empty() { known } else { bounds }
+}
+
+/// Points around what all the leaves have in common, which is in a box: all of it is between them, with some room. They
+/// are the corners of the planes, where these alone surround it, or else those of the box.
+pub fn corners<'a>(leaves: impl Iterator<Item = &'a Leaf>, bounds: Bounds) -> Vec<DVec3> {
+    let half_spaces: Vec<HalfSpace> = leaves.filter_map(HalfSpace::of).take(MOST_PLANES + 1).collect();
+    if half_spaces.len() > MOST_PLANES || !around(&half_spaces).is_finite() {
+        return bounds.corners().to_vec();
+    }
+    let size = bounds.size().max_element();
+    let corners = meetings(&half_spaces, ASIDE * size);
+    corners.map(|corner| corner + ASIDE * (corner - bounds.center())).collect()
+}
+
+/// Where three planes meet no farther outside of all the half-spaces than `room`.
+fn meetings(half_spaces: &[HalfSpace], room: f64) -> impl Iterator<Item = DVec3> {
+    let below = |end: usize| half_spaces[..end].iter().enumerate();
+    let threes = below(half_spaces.len())
+        .flat_map(move |(i, a)| below(i).map(move |(j, b)| (a, j, b)))
+        .flat_map(move |(a, j, b)| below(j).map(move |(_, c)| [a, b, c]));
+    let meeting = |[a, b, c]: [&HalfSpace; 3]| {
+        let normals = DMat3::from_cols(a.normal, b.normal, c.normal).transpose();
+        normals.inverse() * DVec3::new(a.distance, b.distance, c.distance)
+    };
+    let is_kept =
+        move |point: &DVec3| half_spaces.iter().all(|half| half.normal.dot(*point) <= half.distance + room);
+    threes.map(meeting).filter(|point| point.is_finite()).filter(is_kept)
 }
 
 /// A box around what half-spaces have in common.
@@ -113,6 +143,21 @@ mod tests {
         assert!(bounds.min.abs_diff_eq(-DVec3::ONE, 1e-8) && bounds.max.abs_diff_eq(DVec3::ONE, 1e-8));
         let wedge = around(&tetrahedron[..3]);
         assert!(!wedge.is_finite());
+    }
+
+    #[test]
+    fn planes_around_a_solid_meet_at_its_corners() {
+        let normals = [[1., 0., 0.], [-1., 0., 0.], [0., 1., 0.], [0., 0., 1.], [0., -1., -1.]];
+        let wedge = normals.map(|normal| half(normal, 0.5));
+        let corners: Vec<DVec3> = meetings(&wedge, 1e-6).collect();
+        assert_eq!(corners.len(), 6, "{corners:?}");
+        let far = -0.5 - 0.5_f64.sqrt();
+        for (x, [y, z]) in
+            [-0.5, 0.5].map(|x| [[0.5, 0.5], [0.5, far], [far, 0.5]].map(|at| (x, at))).concat()
+        {
+            let corner = DVec3::new(x, y, z);
+            assert!(corners.iter().any(|other| other.abs_diff_eq(corner, 1e-12)), "{corner} in {corners:?}");
+        }
     }
 
     #[test]

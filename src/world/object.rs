@@ -137,7 +137,7 @@ impl Leaf {
     }
 
     /// Whether it is a solid that any line is inside of on one stretch, and nothing cuts it.
-    pub(super) fn is_convex(&self) -> bool {
+    pub fn is_convex(&self) -> bool {
         self.primitive.is_convex() && self.flags.contains(LeafFlags::SOLID) && self.limits.is_none()
     }
 
@@ -175,7 +175,7 @@ impl Leaf {
 
     /// Whether `point` is inside, but for clips.
     #[inline]
-    pub(super) fn contains(&self, point: DVec3) -> bool {
+    pub fn contains(&self, point: DVec3) -> bool {
         let point = self.inner_point(point);
         self.flags.contains(LeafFlags::SOLID)
             && match self.flags.contains(LeafFlags::INVERTED) {

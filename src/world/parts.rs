@@ -2,6 +2,7 @@
 
 use super::accel::Accel;
 use super::extent::Extent;
+use super::facets::Facets;
 use super::narrow;
 use super::object::{Leaf, LeafFlags, Limits, Member};
 use crate::options::Accelerator;
@@ -46,6 +47,8 @@ pub struct Group {
     pub(super) deciders: u32,
     /// Whether it combines a few convex solids, all hidden from the same rays.
     pub(super) convex: bool,
+    /// The planes of such an intersection, if there are more than a few.
+    pub(super) facets: Option<Facets>,
     /// Of an intersection: the place of a bounded convex solid, which no other member can exceed.
     pub(super) core: Option<u32>,
 }
@@ -91,12 +94,15 @@ impl Group {
         let core = members.iter().position(|member| is_core(&member)).map(|place| place as u32);
         let boxes = (0..).zip(&members).filter(|&(_, &member)| is_finite(member));
         let boxes = boxes.map(|(place, &member)| (parts.extent(member).bounds, place));
+        let convex = is_convex(operation, &members, parts);
+        let facets = convex && operation == Operation::Intersection;
         Self {
+            facets: facets.then(|| Facets::new(&members, |number| parts.leaf(number))).flatten(),
             bounded: Accel::new(boxes, accelerator),
             unbounded: members.iter().copied().filter(|&m| !is_finite(m)).collect(),
             wide: members.iter().copied().filter(|&m| !is_finite(m) || decides(m)).collect(),
             deciders: members.iter().filter(|&&m| is_finite(m) && decides(m)).count() as u32,
-            convex: is_convex(operation, &members, parts),
+            convex,
             core: core.filter(|_| operation == Operation::Intersection),
             operation,
             members,

@@ -207,6 +207,38 @@ fn clips_cut_the_same_whatever_they_are_made_of() {
 }
 
 #[test]
+fn planes_around_a_box_are_met_as_the_box_is() {
+    let by = Transform::rotate(v(10., 20., 30.)).then(&Transform::translate(v(0.1, -0.2, 0.3)));
+    let planes = || [X, -X, Y, -Y, Z].map(|normal| plane(normal, 0.7)).into_iter();
+    let hollow = || sphere(0.4 * X, 0.5);
+    let cuboid = || cube(DVec3::splat(-0.7), DVec3::splat(0.7));
+    let solid = intersection(planes().chain([inverse(plane(Z, -0.7))]));
+    let bored = intersection(planes().chain([inverse(hollow()), inverse(plane(Z, -0.7))]));
+    for (of_planes, of_box) in [(solid, cuboid()), (bored, difference([cuboid(), hollow()]))] {
+        for by in [Transform::IDENTITY, by] {
+            let [one, two] = [&of_planes, &of_box].map(|object| probe(&moved(object.clone(), by)));
+            let mut numbers = Numbers(7);
+            let mut hits = 0;
+            for turn in 0..2000 {
+                let (mut origin, mut to) = (2. * numbers.vector(), numbers.vector());
+                // Rays along axes are parallel to planes.
+                if turn % 4 == 0 {
+                    (origin, to) = (by.point(origin), by.point(origin.with_x(to.x)));
+                }
+                let [one, two] = [&one, &two].map(|probe| probe.trace(origin, to - origin));
+                let (Some((p, n)), Some((q, m))) = (one, two) else {
+                    assert_eq!(one, two, "from {origin} to {to}");
+                    continue;
+                };
+                assert!(p.abs_diff_eq(q, 1e-12) && n.abs_diff_eq(m, 1e-11), "from {origin} to {to}: {p} {q}");
+                hits += 1;
+            }
+            assert!(hits > 400, "{hits}");
+        }
+    }
+}
+
+#[test]
 fn transforms_of_compounds_reach_members_and_clips() {
     let by = Transform::rotate(v(10., 20., 30.))
         .then(&Transform::scale(v(2., 0.5, 3.)))

@@ -7,7 +7,9 @@ use smallvec::SmallVec;
 use super::COARSE;
 use super::scratch::Found;
 use super::soon::Unclear;
+use crate::math::Lanes;
 use crate::math::wide::widest;
+use crate::world::facets::Common;
 use crate::world::object::{LeafFlags, Member};
 use crate::world::parts::{Group, MOST_CONVEX, Operation, Parts};
 use crate::world::ray::{Range, Ray};
@@ -28,6 +30,11 @@ struct Stretches {
     /// Whether they are turned inside out.
     inverted: [bool; MOST],
     count: usize,
+    /// Of the places the first are those of all that planes have in common.
+    common: usize,
+    /// Where the planes are, four at a time.
+    planes: [Lanes; MOST / Lanes::COUNT],
+    fours: usize,
     /// How far coincident faces may be apart: at the ray's origin, and more for each unit of distance.
     room: [f64; 2],
 }
@@ -141,7 +148,27 @@ impl Parts {
     #[inline(always)]
     fn meet(&self, group: &Group, ray: &Ray, range: Range, all: &mut Stretches) -> bool {
         let common = group.operation == Operation::Intersection;
-        for &member in &group.members {
+        let mut members = &group.members;
+        if let Some(facets) = &group.facets {
+            members = &facets.others;
+            let met = facets.common(ray, |distances| {
+                all.planes[all.fours % (MOST / Lanes::COUNT)] = distances;
+                all.fours += 1;
+            });
+            let Some(Common { enter, leave }) = met else { return false };
+            if all.is_before(leave.0, range.min) || all.is_before(range.max, enter.0) {
+                return false;
+            }
+            for (place, edges, leaf) in
+                [(0, [enter.0, f64::INFINITY], enter.1), (1, [f64::NEG_INFINITY, leave.0], leave.1)]
+            {
+                [all.enter[place], all.leave[place]] = edges;
+                all.parts[place] = [0; 2];
+                all.leaves[place] = leaf;
+            }
+            (all.common, all.count) = (2, 2);
+        }
+        for &member in members {
             let Member::Leaf(number) = member else { continue };
             let leaf = self.leaf(number);
             let inverted = leaf.flags.contains(LeafFlags::INVERTED);
@@ -176,6 +203,9 @@ impl Stretches {
             leaves: [0; MOST],
             inverted: [false; MOST],
             count: 0,
+            common: 0,
+            planes: [Lanes::ZERO; MOST / Lanes::COUNT],
+            fours: 0,
             room: [COARSE * ray.origin.abs().max_element() / ray.direction.length(), COARSE],
         }
     }
@@ -197,9 +227,12 @@ impl Stretches {
     fn clear(&self, edge: Edge) -> Result<Edge, Unclear> {
         let room = self.room(edge.t);
         let mut close = 0;
-        for place in 0..self.count.min(MOST) {
+        for place in self.common..self.count.min(MOST) {
             close += u32::from((self.enter[place] - edge.t).abs() <= room);
             close += u32::from((self.leave[place] - edge.t).abs() <= room);
+        }
+        for planes in &self.planes[..self.fours.min(MOST / Lanes::COUNT)] {
+            close += (*planes - edge.t).bits(|gap| gap.abs() <= room).count_ones();
         }
         // It is close to itself.
         if close <= 1 { Ok(edge) } else { Err(Unclear) }

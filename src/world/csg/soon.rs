@@ -81,13 +81,22 @@ impl Parts {
         range: Range,
         kind: RayKind,
     ) -> Result<Option<Found>, Unclear> {
-        if let Some(limits) = self.limits(member).filter(|limits| !limits.clips.is_empty()) {
-            let Some(window) = Window::new(self, limits, ray)? else { return Ok(None) };
-            let Some(range) = window.of(range) else { return Ok(None) };
-            let found = self.nearest_unclipped(member, ray, range, kind)?;
-            return if found.is_none_or(|found| window.holds(found.t())) { Ok(found) } else { Err(Unclear) };
+        let Some(limits) = self.limits(member).filter(|limits| !limits.clips.is_empty()) else {
+            return self.nearest_unclipped(member, ray, range, kind);
+        };
+        let is_slow = matches!(member, Member::Leaf(leaf) if !self.leaf(leaf).primitive.is_soon_asked());
+        // Mostly it is missed, or met where nothing is clipped away.
+        let first = if is_slow { None } else { self.nearest_unclipped(member, ray, range, kind)? };
+        if first.is_none() && !is_slow {
+            return Ok(None);
         }
-        self.nearest_unclipped(member, ray, range, kind)
+        let Some(window) = Window::new(self, limits, ray)? else { return Ok(None) };
+        if first.is_some_and(|found| window.holds(found.t())) {
+            return Ok(first);
+        }
+        let Some(range) = window.of(range) else { return Ok(None) };
+        let found = self.nearest_unclipped(member, ray, range, kind)?;
+        if found.is_none_or(|found| window.holds(found.t())) { Ok(found) } else { Err(Unclear) }
     }
 
     /// The same, but for clips.

@@ -1,8 +1,8 @@
 //! Piecewise cubic curves in a plane: the outlines of `prism` and the profiles of `lathe`
 //! (docs/spec/primitives.md 6).
 
-use crate::math::DVec2;
 use crate::math::roots::{Roots, between, bracketed, roots_between};
+use crate::math::{DVec2, Lanes};
 
 /// One piece of a curve, over w from 0 to 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,11 +13,14 @@ pub struct Segment {
     end: DVec2,
     /// What POV-Ray takes for its box: the exact one, or that of a Bézier segment's control points.
     hull: [DVec2; 2],
+    /// Whether it is a straight line on which w counts the way.
+    straight: bool,
 }
 
 impl Segment {
     fn new(c: [DVec2; 4], end: DVec2) -> Self {
-        let mut segment = Self { c, end, hull: [c[0].min(end), c[0].max(end)] };
+        let straight = c[2] == DVec2::ZERO && c[3] == DVec2::ZERO;
+        let mut segment = Self { c, end, hull: [c[0].min(end), c[0].max(end)], straight };
         for coordinate in [|p: DVec2| p.x, |p: DVec2| p.y] {
             for w in segment.extremes(coordinate).as_slice() {
                 let p = segment.point(*w);
@@ -57,22 +60,18 @@ impl Segment {
 
     /// The point at `w`; exactly the given ones at both ends.
     pub fn point(&self, w: f64) -> DVec2 {
-        if w == 1.0 { self.end } else { self.c[0] + w * (self.c[1] + w * (self.c[2] + w * self.c[3])) }
+        if w == 1.0 {
+            self.end
+        } else if self.straight {
+            self.c[0] + w * self.c[1]
+        } else {
+            self.c[0] + w * (self.c[1] + w * (self.c[2] + w * self.c[3]))
+        }
     }
 
     /// Whether it is a straight line on which w counts the way.
     pub fn is_straight(&self) -> bool {
-        self.c[2] == DVec2::ZERO && self.c[3] == DVec2::ZERO
-    }
-
-    /// Whether a line passes the box around: all its points are on one side, by the value of `along` times
-    /// their coordinates plus `offset`.
-    pub(super) fn is_passed_by(&self, along: DVec2, offset: f64) -> bool {
-        let (low, high) = (along * self.hull[0], along * self.hull[1]);
-        let middle = 0.5 * (low + high);
-        let reach = 0.5 * (high - low).abs().element_sum();
-        let noise = 1e-14 * (middle.abs().element_sum() + reach + offset.abs());
-        (middle.x + middle.y + offset).abs() > reach + noise
+        self.straight
     }
 
     /// Where on a straight one a linear function of the points, of which both ends are given, changes
@@ -94,7 +93,8 @@ impl Segment {
 
     /// One coordinate, or any linear function of both, as a polynomial in w.
     pub fn polynomial(&self, coordinate: impl Fn(DVec2) -> f64) -> [f64; 4] {
-        self.c.map(coordinate)
+        let [a, b, c, d] = self.c;
+        [coordinate(a), coordinate(b), coordinate(c), coordinate(d)]
     }
 
     /// The box around.
@@ -106,6 +106,51 @@ impl Segment {
     pub(super) fn extremes(&self, coordinate: impl Fn(DVec2) -> f64) -> Roots<3> {
         let [_, b, c, d] = self.polynomial(coordinate);
         roots_between(&[b, 2.0 * c, 3.0 * d], 0.0, 1.0)
+    }
+}
+
+/// The boxes around four segments.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hulls {
+    pub(super) low: [Lanes; 2],
+    pub(super) high: [Lanes; 2],
+}
+
+impl Hulls {
+    /// Around up to four segments; what is missing is like the first.
+    fn new(segments: &[Segment]) -> Self {
+        let side = |which: usize, axis: usize| {
+            Lanes([0, 1, 2, 3].map(|lane| segments.get(lane).unwrap_or(&segments[0]).hull[which][axis]))
+        };
+        Self { low: [side(0, 0), side(0, 1)], high: [side(1, 0), side(1, 1)] }
+    }
+
+    /// Which of them a line doesn't pass by: of the others all points are on one side, by the value of `along`
+    /// times their coordinates plus `offset`.
+    #[inline(always)]
+    pub(super) fn met_by(&self, along: DVec2, offset: f64) -> u32 {
+        let offset = Lanes::splat(offset);
+        let (mut middle, mut reach, mut size) = (offset, Lanes::ZERO, offset.abs());
+        for axis in 0..2 {
+            let (low, high) = (self.low[axis] * along[axis], self.high[axis] * along[axis]);
+            let center = (low + high) * 0.5;
+            middle = middle + center;
+            reach = reach + ((high - low) * 0.5).abs();
+            size = size + center.abs();
+        }
+        let room = reach + (size + reach) * 1e-14;
+        (room - middle.abs()).bits(|room| room >= 0.0)
+    }
+
+    /// Which of them meet a box.
+    #[inline(always)]
+    pub(super) fn touching(&self, [least, most]: [DVec2; 2]) -> u32 {
+        let mut bits = 0b1111;
+        for axis in 0..2 {
+            bits &= self.low[axis].bits(|low| low <= most[axis]);
+            bits &= self.high[axis].bits(|high| high >= least[axis]);
+        }
+        bits
     }
 }
 
@@ -144,6 +189,8 @@ impl Piece {
 #[derive(Clone, Debug)]
 pub struct Curve {
     segments: Vec<Segment>,
+    /// Of four segments each.
+    hulls: Vec<Hulls>,
     pieces: Vec<Piece>,
     hull: [DVec2; 2],
     open_ends: Vec<DVec2>,
@@ -174,7 +221,23 @@ impl Curve {
                 start = end;
             }
         }
-        Self { segments, pieces, hull, open_ends }
+        let hulls = segments.chunks(Lanes::COUNT).map(Hulls::new).collect();
+        Self { segments, hulls, pieces, hull, open_ends }
+    }
+
+    /// Calls back with the segments, and their numbers, whose bits are set in what `near` says of four boxes.
+    #[inline(always)]
+    pub(super) fn each_near(&self, near: impl Fn(&Hulls) -> u32, mut found: impl FnMut(u32, &Segment)) {
+        for (four, hulls) in self.hulls.iter().enumerate() {
+            let mut bits = near(hulls);
+            while bits != 0 {
+                let number = Lanes::COUNT * four + bits.trailing_zeros() as usize;
+                if let Some(segment) = self.segments.get(number) {
+                    found(number as u32, segment);
+                }
+                bits &= bits - 1;
+            }
+        }
     }
 
     /// The segments.
@@ -242,11 +305,20 @@ const NEXT: f64 = 1e-10;
 fn change_near(seed: f64, next: f64, from: (f64, f64), to: (f64, f64), value: &impl Fn(f64) -> f64) -> f64 {
     let at = |w: f64| (w, value(w));
     let (low, high) = (at((seed - next).max(from.0)), at((seed + next).min(to.0)));
-    match (low.1 > 0.0) != (high.1 > 0.0) {
-        true => between(low, high, value),
-        false => between(from, to, value),
+    if (low.1 > 0.0) == (high.1 > 0.0) {
+        return between(from, to, value);
     }
+    // Over so short a way most are straight to the last bits.
+    let middle = at(0.5 * (low.0 + high.0));
+    if (middle.1 - 0.5 * (low.1 + high.1)).abs() > STRAIGHT * (high.1 - low.1).abs() {
+        return between(low, high, value);
+    }
+    let (from, to) = if (low.1 > 0.0) == (middle.1 > 0.0) { (middle, high) } else { (low, middle) };
+    from.0 + (to.0 - from.0) * (from.1 / (from.1 - to.1))
 }
+
+/// What is straight is in the middle as high as half of both ends together, up to this share of what it rises.
+const STRAIGHT: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {

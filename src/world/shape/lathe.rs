@@ -4,10 +4,11 @@ use std::f64::consts::TAU;
 
 use smallvec::SmallVec;
 
-use super::curve::{Curve, Segment, sign_changes};
+use super::curve::{Curve, Hulls, Segment, sign_changes};
 use super::{Crossing, Shape, uncrossed};
 use crate::math::roots::{quadratic, roots_between};
-use crate::math::{Band, Bounds, DVec2, DVec3};
+use crate::math::wide::widest;
+use crate::math::{Band, Bounds, DVec2, DVec3, Lanes};
 use crate::world::{Range, Ray};
 
 /// A profile of radius and height, turned about the y axis.
@@ -56,14 +57,20 @@ impl Passing {
 
     /// Where on a segment [`Passing::gap`] is zero.
     fn seeds(&self, segment: &Segment) -> Seeds {
+        let (up, out) = (self.up * self.up, self.out * self.out);
         let radius = segment.polynomial(|p| p.x);
         let mut height = segment.polynomial(|p| p.y);
         height[0] -= self.height;
-        let (up, out) = (self.up * self.up, self.out * self.out);
         if segment.is_straight() {
             let term = |i: usize, j: usize| up * (radius[i] * radius[j]) - out * (height[i] * height[j]);
             let roots = quadratic(term(1, 1), term(0, 1), term(0, 0) - up * self.nearest);
-            return roots.into_iter().flatten().filter(|w| (0.0..=1.0).contains(w)).collect();
+            let mut seeds = Seeds::new();
+            for w in roots.unwrap_or_default() {
+                if (0.0..=1.0).contains(&w) {
+                    seeds.push(w);
+                }
+            }
+            return seeds;
         }
         Seeds::from_slice(roots_between::<7>(&self.gaps(radius, height), 0.0, 1.0).as_slice())
     }
@@ -143,21 +150,27 @@ impl Passing {
         }
     }
 
-    /// Whether the ray may meet anything in a box of radii and heights: whether [`Passing::gap`] has no one
-    /// sign there.
-    fn reaches(&self, [low, high]: [DVec2; 2]) -> bool {
+    /// In which of four boxes of radii and heights the ray may meet anything: where [`Passing::gap`] has no one
+    /// sign.
+    #[inline(always)]
+    fn reaches(&self, hulls: &Hulls) -> u32 {
         /// Many times what the gap is rounded by, as a share.
         const NOISE: f64 = 1e-13;
-        let widest = low.x.abs().max(high.x.abs());
-        let narrowest = low.x.max(-high.x).max(0.0);
-        let (below, above) = (self.height - low.y, high.y - self.height);
-        let (least, most) = ((-below).max(-above).max(0.0), below.max(above));
+        let greater = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a > b { a } else { b });
+        let Hulls { low, high } = hulls;
+        let widest = greater(low[0].abs(), high[0].abs());
+        let narrowest = greater(greater(low[0], -high[0]), Lanes::ZERO);
+        let (below, above) = (-(low[1] - self.height), high[1] - self.height);
+        let (least, most) = (greater(greater(-below, -above), Lanes::ZERO), greater(below, above));
         let (up, out) = (self.up * self.up, self.out * self.out);
         let size = most + self.height.abs();
-        let noise = NOISE * (up * (widest * widest + self.nearest) + out * most * size);
-        up * (widest * widest - self.nearest) - out * (least * least) >= -noise
-            && up * (narrowest * narrowest - self.nearest) - out * (most * most) <= noise
-            && widest * widest * (1.0 + NOISE) >= self.nearest
+        let wide = widest * widest;
+        let noise = ((wide + self.nearest) * up + most * size * out) * NOISE;
+        let inner = (wide - self.nearest) * up - least * least * out + noise;
+        let outer = most * most * out - (narrowest * narrowest - self.nearest) * up + noise;
+        inner.bits(|inner| inner >= 0.0)
+            & outer.bits(|outer| outer >= 0.0)
+            & (wide * (1.0 + NOISE)).bits(|wide| wide >= self.nearest)
     }
 }
 
@@ -200,19 +213,23 @@ impl Shape for Lathe {
         };
         let sense = if d.y < 0.0 { -1.0 } else { 1.0 };
         let from = out.len();
-        if !passing.reaches([low, high]) {
-            return;
-        }
-        for (part, segment) in (0..).zip(self.profile.segments()) {
-            if passing.reaches(segment.hull()) {
-                passing.meet(segment, |w, t| {
-                    let t = (sense * t + start) / speed;
-                    if range.contains(t) {
-                        out.push(Crossing { t, part, at: [w, 0.0] });
-                    }
-                });
-            }
-        }
+        widest(
+            #[inline(always)]
+            || {
+                self.profile.each_near(
+                    #[inline(always)]
+                    |hulls| passing.reaches(hulls),
+                    |part, segment| {
+                        passing.meet(segment, |w, t| {
+                            let t = (sense * t + start) / speed;
+                            if range.contains(t) {
+                                out.push(Crossing { t, part, at: [w, 0.0] });
+                            }
+                        });
+                    },
+                );
+            },
+        );
         out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
     }
 

@@ -69,21 +69,15 @@ impl Prism {
                 (on - flat(o)).dot(flat(d)) / flat(d).length_squared()
             }
         };
-        let [least, most] = self.shadow(ray, between);
-        for (part, segment) in (ENDS..).zip(self.outline.segments()) {
-            let [low, high] = segment.hull();
-            if low.x > most.x || high.x < least.x || low.y > most.y || high.y < least.y {
-                continue;
-            }
-            if segment.is_passed_by(along, offset) {
-                continue;
-            }
+        let shadow = self.shadow(ray, between);
+        let wall = |number: u32, segment: &Segment| {
+            let part = ENDS + number;
             if segment.is_straight() {
-                let ends = [0.0, 1.0].map(|w| side(segment.point(w)));
-                if let Some(w) = Segment::straight_change(ends[0], ends[1]) {
+                let (from, to) = (side(segment.point(0.0)), side(segment.point(1.0)));
+                if let Some(w) = Segment::straight_change(from, to) {
                     found(distance(w, segment), part, w);
                 }
-                continue;
+                return;
             }
             let mut cubic = segment.polynomial(|p| p.dot(along));
             cubic[0] += offset;
@@ -94,7 +88,17 @@ impl Prism {
                 |w| side(segment.point(w)),
                 |w| found(distance(w, segment), part, w),
             );
-        }
+        };
+        widest(
+            #[inline(always)]
+            || {
+                self.outline.each_near(
+                    #[inline(always)]
+                    |hulls| hulls.touching(shadow) & hulls.met_by(along, offset),
+                    wall,
+                );
+            },
+        );
     }
 
     /// A box in the outline's plane around the part of the ray between two distances, seen along y.

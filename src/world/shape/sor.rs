@@ -5,7 +5,8 @@ use super::lathe::turn;
 use super::stretch::{End, Stretch};
 use super::{Crossing, Shape, uncrossed};
 use crate::math::roots::roots_between;
-use crate::math::{Band, Bounds, DVec2, DVec3};
+use crate::math::wide::widest;
+use crate::math::{Band, Bounds, DVec2, DVec3, Lanes};
 use crate::world::{Range, Ray};
 
 /// About the y axis; the square of the radius is a cubic of the height, segment by segment.
@@ -14,8 +15,20 @@ use crate::world::{Range, Ray};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sor {
     segments: Vec<Segment>,
+    /// Of four segments each.
+    rings: Vec<Rings>,
     bounds: Bounds,
     open: bool,
+}
+
+/// What rays must come near to meet four segments; what is missing is like the first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Rings {
+    low: Lanes,
+    high: Lanes,
+    /// What no square of the radius is below or above.
+    narrow: Lanes,
+    wide: Lanes,
 }
 
 /// Between two heights.
@@ -36,6 +49,10 @@ struct Passing {
     nearest: f64,
     /// Its distance from the axis there, squared.
     least: f64,
+    /// Between which distances it is in the cylinder around.
+    within: [f64; 2],
+    /// Between which distances crossings count.
+    wanted: [f64; 2],
 }
 
 /// Many times what the square of a radius is rounded by, as a share.
@@ -85,6 +102,46 @@ impl Segment {
     }
 }
 
+impl Rings {
+    fn new(segments: &[Segment]) -> Self {
+        let each = |of: fn(&Segment) -> f64| {
+            Lanes([0, 1, 2, 3].map(|lane| of(segments.get(lane).unwrap_or(&segments[0]))))
+        };
+        Self {
+            low: each(|segment| segment.low),
+            high: each(|segment| segment.high),
+            narrow: each(|segment| segment.bounds[0]),
+            wide: each(|segment| segment.bounds[1] * (1.0 + ROOM)),
+        }
+    }
+
+    /// Between which distances a ray that isn't level may meet each, and which of them it may meet at all, as bits.
+    #[inline(always)]
+    fn met_by(&self, passing: &Passing) -> ([Lanes; 2], u32) {
+        let (o, d) = (passing.ray.origin, passing.ray.direction);
+        let less = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a < b { a } else { b });
+        let more = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a > b { a } else { b });
+        let (low, high) = ((self.low - o.y) / d.y, (self.high - o.y) / d.y);
+        let [from, to] = passing.within;
+        let enter = more(less(low, high), Lanes::splat(from));
+        let leave = less(more(low, high), Lanes::splat(to));
+        let beside = |t: Lanes| {
+            let (x, z) = (t * d.x + o.x, t * d.z + o.z);
+            x * x + z * z
+        };
+        let (one, other) = (beside(enter), beside(leave));
+        // Where a ray is nearest to the axis tells more than its ends.
+        let between = less(-(enter - passing.nearest), leave - passing.nearest);
+        let least = Lanes::splat(passing.least).where_positive(between, less(one, other));
+        let met = (leave - enter).bits(|length| length > 0.0)
+            & leave.bits(|end| end >= passing.wanted[0])
+            & enter.bits(|start| start <= passing.wanted[1])
+            & (self.wide - least).bits(|room| room >= 0.0)
+            & (more(one, other) - self.narrow).bits(|room| room >= 0.0);
+        ([enter, leave], met)
+    }
+}
+
 impl Sor {
     /// From at least four points (radius, height), the first and last of which only give slopes; the
     /// heights of the others rise. `None` for anything else.
@@ -100,7 +157,8 @@ impl Sor {
         let radius = segments.iter().map(|s| s.bounds[1]).fold(0.0, f64::max).sqrt();
         let (low, high) = (rising[0].y, rising[rising.len() - 1].y);
         let bounds = Bounds::new(DVec3::new(-radius, low, -radius), DVec3::new(radius, high, radius));
-        Some(Self { segments, bounds, open })
+        let rings = segments.chunks(Lanes::COUNT).map(Rings::new).collect();
+        Some(Self { segments, rings, bounds, open })
     }
 
     /// The square of the radius that counts at height `y`, and the segment it is from.
@@ -111,19 +169,8 @@ impl Sor {
     }
 
     /// Crossings of the side of one segment between two distances along a ray, ascending.
-    fn side(&self, index: usize, passing: &Passing, ends: [f64; 2], found: impl FnMut(f64)) {
-        let segment = &self.segments[index];
+    fn side(segment: &Segment, passing: &Passing, ends: [f64; 2], found: impl FnMut(f64)) {
         let (o, d) = (passing.ray.origin, passing.ray.direction);
-        let beside = ends.map(|t| {
-            let p = passing.ray.at(t);
-            p.x * p.x + p.z * p.z
-        });
-        let is_nearest_between = ends[0] < passing.nearest && passing.nearest < ends[1];
-        let least = if is_nearest_between { passing.least } else { beside[0].min(beside[1]) };
-        let [narrow, wide] = segment.bounds;
-        if least > wide * (1.0 + ROOM) || beside[0].max(beside[1]) < narrow {
-            return;
-        }
         // The square of the surface's radius less the ray's, as a polynomial in the distance.
         let ([a, b, c, e], h) = (segment.square, o.y - segment.low);
         let cubic = [
@@ -173,7 +220,8 @@ impl Sor {
         let half = (chord / away).sqrt();
         let around =
             if half.is_finite() { [nearest - half, nearest + half] } else { [-f64::INFINITY, f64::INFINITY] };
-        let passing = Passing { ray, nearest, least };
+        let wanted = [range.min - shift, range.max - shift];
+        let passing = Passing { ray, nearest, least, within: around, wanted };
         let mut enough = false;
         let mut push = |t: f64, part: u32| {
             if !enough && range.contains(t + shift) {
@@ -184,28 +232,38 @@ impl Sor {
         if self.has_end(&ray, slab.enter) && push(slab.enter.t, slab.enter.part) {
             return;
         }
-        let count = self.segments.len();
-        for step in 0..count {
-            let index = if d.y < 0.0 { count - 1 - step } else { step };
-            let segment = &self.segments[index];
-            let Some(part) = Stretch::slab((segment.low, 0), (segment.high, 0), o.y, d.y) else {
-                continue;
-            };
-            // A level ray at the height of a joint belongs to the segment below.
-            if d.y == 0.0 && o.y == segment.low && index > 0 {
-                continue;
+        let mut side = |index: usize, ends: [f64; 2]| {
+            let mut done = false;
+            if let Some(segment) = self.segments.get(index) {
+                Self::side(segment, &passing, ends, |t| done |= push(t, ENDS + index as u32));
             }
-            let ends = [part.enter.t.max(around[0]), part.leave.t.min(around[1])];
-            let is_ahead = ends[1] + shift >= range.min && ends[0] + shift <= range.max;
-            if ends[0] < ends[1] && is_ahead {
-                let mut done = false;
-                self.side(index, &passing, ends, |t| done |= push(t, ENDS + index as u32));
-                if done {
-                    return;
-                }
+            done
+        };
+        if d.y == 0.0 {
+            // At the height of a joint the segment below counts.
+            if let Some((index, _)) = self.square_at(o.y) {
+                side(index, around);
             }
+            return;
         }
-        if self.has_end(&ray, slab.leave) {
+        let done = widest(
+            #[inline(always)]
+            || {
+                for step in 0..self.rings.len() {
+                    let four = if d.y < 0.0 { self.rings.len() - 1 - step } else { step };
+                    let ([enter, leave], mut met) = self.rings[four].met_by(&passing);
+                    while met != 0 {
+                        let lane = if d.y < 0.0 { met.ilog2() } else { met.trailing_zeros() } as usize;
+                        met &= !(1 << lane);
+                        if side(Lanes::COUNT * four + lane, [enter.0[lane], leave.0[lane]]) {
+                            return true;
+                        }
+                    }
+                }
+                false
+            },
+        );
+        if !done && self.has_end(&ray, slab.leave) {
             push(slab.leave.t, slab.leave.part);
         }
     }
