@@ -57,8 +57,7 @@ impl Facets {
             match member {
                 Member::Leaf(number)
                     if let leaf = leaf(number)
-                        && let Primitive::Plane(plane) = leaf.primitive
-                        && leaf.transform.is_none() =>
+                        && let Primitive::Plane(plane) = leaf.primitive =>
                 {
                     let inverted = leaf.flags.contains(LeafFlags::INVERTED);
                     let place = leaf.transform.clone();

@@ -202,7 +202,7 @@ fn clips_cut_the_same_whatever_they_are_made_of() {
             assert!(p.abs_diff_eq(q, 1e-12) && n.abs_diff_eq(m, 1e-11), "from {origin} to {to}: {p} {q}");
             hits += 1;
         }
-        assert!(hits > 200, "{hits}");
+        assert!(hits > 100, "{hits}");
     }
 }
 

@@ -15,12 +15,16 @@ pub struct Segment {
     hull: [DVec2; 2],
     /// Whether it is a straight line on which w counts the way.
     straight: bool,
+    /// The control points of its Bézier form, between which it lies: their x and their y.
+    control: [Lanes; 2],
 }
 
 impl Segment {
     fn new(c: [DVec2; 4], end: DVec2) -> Self {
         let straight = c[2] == DVec2::ZERO && c[3] == DVec2::ZERO;
-        let mut segment = Self { c, end, hull: [c[0].min(end), c[0].max(end)], straight };
+        let points = [c[0], c[0] + c[1] / 3.0, c[0] + (2.0 * c[1] + c[2]) / 3.0, end];
+        let control = [Lanes(points.map(|p| p.x)), Lanes(points.map(|p| p.y))];
+        let mut segment = Self { c, end, hull: [c[0].min(end), c[0].max(end)], straight, control };
         for coordinate in [|p: DVec2| p.x, |p: DVec2| p.y] {
             for w in segment.extremes(coordinate).as_slice() {
                 let p = segment.point(*w);
@@ -72,6 +76,15 @@ impl Segment {
     /// Whether it is a straight line on which w counts the way.
     pub fn is_straight(&self) -> bool {
         self.straight
+    }
+
+    /// Whether all of it is surely on one side of a line, by the value of `along` times the coordinates plus `offset`.
+    #[inline(always)]
+    pub(super) fn is_beside(&self, along: DVec2, offset: f64) -> bool {
+        let (x, y) = (self.control[0] * along.x, self.control[1] * along.y);
+        let side = x + y + offset;
+        let noise = (x.abs() + y.abs() + offset.abs()) * 1e-14;
+        (side - noise).all_positive() || (-side - noise).all_positive()
     }
 
     /// Where on a straight one a linear function of the points, of which both ends are given, changes
@@ -225,15 +238,20 @@ impl Curve {
         Self { segments, hulls, pieces, hull, open_ends }
     }
 
-    /// Calls back with the segments, and their numbers, whose bits are set in what `near` says of four boxes.
+    /// Calls back with the segments, and their numbers, whose bits are set in what `near` says of four boxes, until
+    /// that says to stop.
     #[inline(always)]
-    pub(super) fn each_near(&self, near: impl Fn(&Hulls) -> u32, mut found: impl FnMut(u32, &Segment)) {
+    pub(super) fn each_near(
+        &self,
+        near: impl Fn(&Hulls) -> u32,
+        mut found: impl FnMut(u32, &Segment) -> bool,
+    ) {
         for (four, hulls) in self.hulls.iter().enumerate() {
             let mut bits = near(hulls);
             while bits != 0 {
                 let number = Lanes::COUNT * four + bits.trailing_zeros() as usize;
-                if let Some(segment) = self.segments.get(number) {
-                    found(number as u32, segment);
+                if self.segments.get(number).is_some_and(|segment| found(number as u32, segment)) {
+                    return;
                 }
                 bits &= bits - 1;
             }
@@ -305,20 +323,11 @@ const NEXT: f64 = 1e-10;
 fn change_near(seed: f64, next: f64, from: (f64, f64), to: (f64, f64), value: &impl Fn(f64) -> f64) -> f64 {
     let at = |w: f64| (w, value(w));
     let (low, high) = (at((seed - next).max(from.0)), at((seed + next).min(to.0)));
-    if (low.1 > 0.0) == (high.1 > 0.0) {
-        return between(from, to, value);
+    match (low.1 > 0.0) != (high.1 > 0.0) {
+        true => between(low, high, value),
+        false => between(from, to, value),
     }
-    // Over so short a way most are straight to the last bits.
-    let middle = at(0.5 * (low.0 + high.0));
-    if (middle.1 - 0.5 * (low.1 + high.1)).abs() > STRAIGHT * (high.1 - low.1).abs() {
-        return between(low, high, value);
-    }
-    let (from, to) = if (low.1 > 0.0) == (middle.1 > 0.0) { (middle, high) } else { (low, middle) };
-    from.0 + (to.0 - from.0) * (from.1 / (from.1 - to.1))
 }
-
-/// What is straight is in the middle as high as half of both ends together, up to this share of what it rises.
-const STRAIGHT: f64 = 1e-6;
 
 #[cfg(test)]
 mod tests {

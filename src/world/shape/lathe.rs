@@ -226,6 +226,7 @@ impl Shape for Lathe {
                                 out.push(Crossing { t, part, at: [w, 0.0] });
                             }
                         });
+                        false
                     },
                 );
             },

@@ -45,9 +45,10 @@ impl Prism {
         if self.conic { flat(p) / p.y } else { flat(p) }
     }
 
-    /// Calls back with the crossings of the ray with walls: all those between two distances, and others.
+    /// Calls back with the crossings of the ray with walls: all those between two distances, and others. After a
+    /// segment for which that answers that it has enough no other is looked at.
     #[inline(always)]
-    fn push_walls(&self, ray: &Ray, between: [f64; 2], found: &mut impl FnMut(f64, u32, f64)) {
+    fn push_walls(&self, ray: &Ray, between: [f64; 2], found: &mut impl FnMut(f64, u32, f64) -> bool) {
         let (o, d) = (ray.origin, ray.direction);
         // The plane through the ray, along y or through the apex, meets the outline's plane in the line
         // line.x x + line.z z + line.y = 0.
@@ -72,12 +73,16 @@ impl Prism {
         let shadow = self.shadow(ray, between);
         let wall = |number: u32, segment: &Segment| {
             let part = ENDS + number;
+            let mut enough = false;
             if segment.is_straight() {
                 let (from, to) = (side(segment.point(0.0)), side(segment.point(1.0)));
                 if let Some(w) = Segment::straight_change(from, to) {
-                    found(distance(w, segment), part, w);
+                    enough = found(distance(w, segment), part, w);
                 }
-                return;
+                return enough;
+            }
+            if segment.is_beside(along, offset) {
+                return false;
             }
             let mut cubic = segment.polynomial(|p| p.dot(along));
             cubic[0] += offset;
@@ -86,18 +91,14 @@ impl Prism {
                 seeds.as_slice(),
                 [0.0, 1.0],
                 |w| side(segment.point(w)),
-                |w| found(distance(w, segment), part, w),
+                |w| enough |= found(distance(w, segment), part, w),
             );
+            enough
         };
-        widest(
+        self.outline.each_near(
             #[inline(always)]
-            || {
-                self.outline.each_near(
-                    #[inline(always)]
-                    |hulls| hulls.touching(shadow) & hulls.met_by(along, offset),
-                    wall,
-                );
-            },
+            |hulls| hulls.touching(shadow) & hulls.met_by(along, offset),
+            wall,
         );
     }
 
@@ -125,9 +126,9 @@ impl Prism {
         !apex && self.outline.encloses(self.place(point))
     }
 
-    /// The nearest crossing in `range`.
+    /// The nearest crossing in `range`, or just any.
     #[inline(always)]
-    pub(super) fn first(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+    pub(super) fn first(&self, ray: &Ray, range: Range, any: bool) -> Option<Crossing> {
         let (shift, ray) = ray.moved_to(self.center());
         let [bottom, top] = self.heights;
         let slab = Stretch::slab((bottom, 0), (top, 1), ray.origin.y, ray.direction.y)?;
@@ -145,6 +146,7 @@ impl Prism {
             if slab.enter.t <= t && t <= slab.leave.t && range.contains(t + shift) && is_nearer {
                 nearest = Some(Crossing { t: t + shift, part, at: [w, 0.0] });
             }
+            any && nearest.is_some()
         });
         nearest.or_else(|| is_met(slab.leave).then(|| Crossing::new(slab.leave.t + shift, slab.leave.part)))
     }
@@ -178,11 +180,16 @@ impl Shape for Prism {
             return;
         };
         let ends = [slab.enter, slab.leave];
-        self.push_walls(&ray, ends.map(|end| end.t), &mut |t, part, w| {
+        let mut push = |t, part, w| {
             if slab.enter.t <= t && t <= slab.leave.t && range.contains(t + shift) {
                 out.push(Crossing { t: t + shift, part, at: [w, 0.0] });
             }
-        });
+            false
+        };
+        widest(
+            #[inline(always)]
+            || self.push_walls(&ray, [slab.enter.t, slab.leave.t], &mut push),
+        );
         for end in ends {
             if range.contains(end.t + shift) && self.has_end(&ray, end) {
                 out.push(Crossing::new(end.t + shift, end.part));
@@ -194,7 +201,14 @@ impl Shape for Prism {
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         widest(
             #[inline(always)]
-            || self.first(ray, range),
+            || self.first(ray, range, false),
+        )
+    }
+
+    fn occludes(&self, ray: &Ray, range: Range) -> bool {
+        widest(
+            #[inline(always)]
+            || self.first(ray, range, true).is_some(),
         )
     }
 

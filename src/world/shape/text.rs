@@ -90,7 +90,7 @@ impl Shape for Text {
                     #[inline(always)]
                     |number| {
                         let glyph = &self.glyphs[number as usize];
-                        if let Some(first) = glyph.prism.first(ray, range) {
+                        if let Some(first) = glyph.prism.first(ray, range, false) {
                             nearest = Some(Crossing { part: first.part + glyph.first, ..first });
                             range.max = first.t;
                         }
