@@ -129,7 +129,7 @@ impl Shape for Text {
                             let lane = near.trailing_zeros() as usize % Lanes::COUNT;
                             near &= near - 1;
                             let range = Range { min: 0.0, max: ends.0[lane] };
-                            if let Some(first) = glyph.prism.first(&rays.ray(lane), range) {
+                            if let Some(first) = glyph.prism.first(&rays.ray(lane), range, false) {
                                 found[lane] = Some(Crossing { part: first.part + glyph.first, ..first });
                                 ends.0[lane] = first.t;
                             }
