@@ -47,7 +47,6 @@ fn pixels_that_are_looked_at_together_show_what_they_show_alone() {
         #for(I,-3,3) torus{.5,.2 rotate <40*I,70*I,0> translate <I,.4*I,I> pigment{rgb<.5+.1*I,.6,.7>}} #end
         blob{threshold .5 sphere{<0,0,-2>,.7,1} sphere{<.5,.2,-2>,.6,1} cylinder{<-1,0,-2>,<0,.5,-2>,.3,.8}
             sphere{<.1,.3,-2.3>,.4,-.6} pigment{rgbt<.4,.8,.5,.2>}}
-        text{internal 0 \"fours\" .2,0 scale .8 rotate 20*y translate <-2,1,-1> pigment{rgb<.9,.7,.3>}}
         quartic{<4,0,0,-4,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 1,0,0,0,0, 0,0,1,0,0>
             bounded_by{box{<-.01,-.7,-.7>,<1.01,.7,.7>}} rotate 60*z translate <1.2,-.6,-2> pigment{rgb<.8,.3,.3>}}
         sphere{<-1,1.6,0>,.4 pigment{rgbt<1,.7,.2,.5>} finish{reflection .3}}";
