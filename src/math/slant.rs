@@ -5,6 +5,8 @@
 //! the mean value theorem is true as well; where it jumps, or is no number, or its derivative isn't told, they say
 //! nothing.
 
+mod noise;
+
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::band::Band;

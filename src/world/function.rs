@@ -173,7 +173,7 @@ impl Function {
     }
 
     /// What holds the values of one component and how fast they rise, spending what is left of a budget. Of
-    /// patterns, pigments, splines and noise it isn't known how fast.
+    /// patterns and pigments it isn't known how fast.
     pub fn slant_within(&self, arguments: &[Slant], component: u8, budget: &Budget) -> Slant {
         let at = |i: usize| arguments.get(i).copied().unwrap_or(Slant::constant(0.0));
         match &self.body {
@@ -191,6 +191,7 @@ impl Function {
                 let share = |axis: DVec3| transform.point(axis)[component] - origin;
                 at(0) * share(DVec3::X) + at(1) * share(DVec3::Y) + at(2) * share(DVec3::Z) + origin
             }
+            Body::Spline(spline) if component != GREY => at(0).spline(spline, component.into()),
             _ => {
                 let values: SmallVec<[Band; 8]> = arguments.iter().map(|argument| argument.value).collect();
                 Slant::unknown_rise(self.enclose_within(&values, component, budget))

@@ -107,7 +107,7 @@ impl Octaves {
 impl Spline {
     /// A component along lines of keys.
     pub fn along(&self, keys: Band, component: usize) -> Band {
-        let of_piece = |number: usize, keys: Band| {
+        self.by_pieces(keys, |number, keys| {
             let (start, [a, b, c, d]) = self.piece(number, component);
             let k = keys - start;
             let value = ((k * d + c) * k + b) * k + a;
@@ -115,7 +115,20 @@ impl Spline {
             let rounding =
                 ROUNDING * (a.abs() + value.middle.0.into_iter().fold(0.0, |m: f64, v| m.max(v.abs())));
             Band { reach: value.reach + rounding, ..value }
-        };
+        })
+    }
+
+    /// How fast a component rises along lines of keys: where pieces meet, as either does.
+    pub fn rises_along(&self, keys: Band, component: usize) -> Band {
+        self.by_pieces(keys, |number, keys| {
+            let (start, [_, b, c, d]) = self.piece(number, component);
+            let k = keys - start;
+            (k * (3.0 * d) + 2.0 * c) * k + b
+        })
+    }
+
+    /// What holds all that the pieces of the keys give.
+    fn by_pieces(&self, keys: Band, of_piece: impl Fn(usize, Band) -> Band) -> Band {
         let over = |lane: usize| {
             let (low, high) = keys.lane(lane).range();
             if low.is_nan() {

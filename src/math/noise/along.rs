@@ -59,29 +59,51 @@ impl Square {
     }
 }
 
+/// What a generator makes of its lattice's sum, before it is brought to 0 … 1 by force.
+struct Brought {
+    factor: f64,
+    shift: f64,
+    most: Steepness,
+}
+
+impl Brought {
+    #[inline(always)]
+    fn by(generator: u8) -> Self {
+        let (factor, shift, most) = match generator {
+            3 => (0.5 * 1.59, 0.5 * 0.985, GRADIENTS),
+            2 => (0.489_855_82, 1.05242 * 0.489_855_82, LATTICE),
+            _ => (1.0, 0.5, LATTICE),
+        };
+        Self { factor, shift, most }
+    }
+}
+
+/// How fast noise rises along each axis at four points, before it is brought to 0 … 1 by force, and how fast that
+/// changes with the distance at most.
+#[inline(always)]
+pub fn rises(generator: u8, points: [Lanes; 3]) -> ([Lanes; 3], f64) {
+    let along_axis = |axis: usize| {
+        let slope = [0, 1, 2].map(|i| Lanes::splat(f64::from(u8::from(i == axis))));
+        along(generator, points, slope, [Lanes::ZERO; 3]).rise
+    };
+    let Brought { factor, most, .. } = Brought::by(generator);
+    ([along_axis(0), along_axis(1), along_axis(2)], most.second * factor)
+}
+
 /// Noise on four lines; `reach` is how far the points may be beside them along each axis.
 #[inline(always)]
 pub fn along(generator: u8, middle: [Lanes; 3], slope: [Lanes; 3], reach: [Lanes; 3]) -> Along {
+    let brought = Brought::by(generator);
     if generator == 3 {
         let [x, y, z] = middle;
         let moved = [x + PERLIN_SHIFT, y + PERLIN_SHIFT, z + PERLIN_SHIFT];
         let corners = [perlin_corners(&moved, 0), perlin_corners(&moved, 1)];
         let others = [perlin_corners(&moved, 2), perlin_corners(&moved, 3)];
-        return Cells::new(moved, slope, &PERLIN.slopes, corners, others).sum(
-            reach,
-            0.5 * 1.59,
-            0.5 * 0.985,
-            GRADIENTS,
-        );
+        return Cells::new(moved, slope, &PERLIN.slopes, corners, others).sum(reach, brought);
     }
     let corners = [lattice_corners(&middle, 0), lattice_corners(&middle, 1)];
     let others = [lattice_corners(&middle, 2), lattice_corners(&middle, 3)];
-    let cells = Cells::new(middle, slope, &SLOPES, corners, others);
-    if generator == 2 {
-        cells.sum(reach, 0.489_855_82, 1.05242 * 0.489_855_82, LATTICE)
-    } else {
-        cells.sum(reach, 1.0, 0.5, LATTICE)
-    }
+    Cells::new(middle, slope, &SLOPES, corners, others).sum(reach, brought)
 }
 
 /// The places in a table of the planes of a cell's corners: bit 0 of a corner's place is the side in x, bit 1 in y,
@@ -161,7 +183,7 @@ impl<const SIZE: usize> Cells<SIZE> {
     }
 
     #[inline(always)]
-    fn sum(&self, reach: [Lanes; 3], factor: f64, shift: f64, most: Steepness) -> Along {
+    fn sum(&self, reach: [Lanes; 3], Brought { factor, shift, most }: Brought) -> Along {
         let Square([value, rise, bend]) = self.layer(0).mix(self.layer(4), self.weight(2));
         // Only within a cell second derivatives are smooth.
         let [a, b, c] = [self.room(0, reach[0]), self.room(1, reach[1]), self.room(2, reach[2])];

@@ -136,7 +136,7 @@ impl Number for Slant {
     }
 
     fn noise(generator: u8, point: [Self; 3]) -> Self {
-        Self::unknown_rise(Band::noise(generator, point.map(|p| p.value)))
+        Self::noise(generator, point)
     }
 }
 
