@@ -17,6 +17,25 @@ pub(crate) trait Along {
     fn counts(&self, _t: Interval<Double>) -> Option<bool> {
         Some(true)
     }
+    /// The parts of a range in which there are zeros, or may be.
+    fn rough_cells(&self, range: Interval<f64>, limits: Limits, found: &mut dyn FnMut(Cell<f64>)) {
+        isolate(|t| self.rough(t), |t| self.is_beyond(t), range, limits, found);
+    }
+    fn fine_cells(&self, range: Interval<Double>, limits: Limits, found: &mut dyn FnMut(Cell<Double>)) {
+        isolate(|t| self.fine(t), |t| self.is_beyond(t), range, limits, found);
+    }
+}
+
+/// Where splitting ends.
+#[derive(Clone, Copy)]
+pub(crate) struct Limits {
+    /// The length of a part that isn't split any more.
+    pub(crate) least: f64,
+    /// So many parts are looked at before what is left is in doubt: a line in the surface, or within rounding of it,
+    /// is zero everywhere.
+    pub(crate) most: usize,
+    /// Whether polynomials are worked out anew over parts where rounding hides their signs.
+    pub(crate) anew: bool,
 }
 
 /// What is known about the zeros in a range.
@@ -30,20 +49,23 @@ pub(crate) struct Zeros {
     pub(crate) close: bool,
 }
 
-enum Cell<S> {
+/// A part of a range.
+pub(crate) enum Cell<S> {
     /// Monotone, with values of opposite sign at the ends.
-    One(Interval<S>),
+    One {
+        part: Interval<S>,
+        rising: bool,
+    },
     Doubt(Interval<S>),
 }
 
-/// Splits a range until every part is known, or narrower than `least`, or one of too many.
-fn isolate<S: Scalar>(
+/// Splits a range until every part is known, or a limit is met.
+pub(crate) fn isolate<S: Scalar>(
     f: impl Fn(Interval<S>) -> Jet<S>,
     is_beyond: impl Fn(Interval<f64>) -> bool,
     range: Interval<S>,
-    least: f64,
-    most: usize,
-    mut found: impl FnMut(Cell<S>),
+    Limits { least, most, .. }: Limits,
+    found: &mut dyn FnMut(Cell<S>),
 ) {
     // Never through the middle, where symmetric shapes have their roots.
     const SHARE: f64 = 0.4823;
@@ -77,7 +99,7 @@ fn isolate<S: Scalar>(
             let (low, high) = (at(part.low), at(part.high));
             if !low.has_zero() && !high.has_zero() {
                 if low.is_negative() != high.is_negative() {
-                    found(Cell::One(part));
+                    found(Cell::One { part, rising: low.is_negative() });
                 }
                 continue;
             }
@@ -95,51 +117,38 @@ fn isolate<S: Scalar>(
     }
 }
 
-/// So many parts are looked at before what is left is in doubt, in doubles and in double-doubles: a line in the
-/// surface, or within rounding of it, is zero everywhere.
-const PARTS: [usize; 2] = [300, 3000];
+/// The limits in doubles and in double-doubles, with the least length as a share of the range.
+const LIMITS: [Limits; 2] =
+    [Limits { least: 1e-9, most: 300, anew: false }, Limits { least: 1e-20, most: 3000, anew: true }];
 
 /// All zeros in a range.
 pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
     let (mut out, mut doubts) = (Zeros::default(), Vec::<Interval<Double>>::new());
     let mut ones = Vec::new();
     let scale = high - low;
-    isolate(
-        |t| f.rough(t),
-        |t| f.is_beyond(t),
-        Interval { low, high },
-        1e-9 * scale,
-        PARTS[0],
-        |cell| match cell {
-            Cell::One(part) => {
-                let Interval { low, high } = refined(|t| f.rough(t), part, 0.0);
-                ones.push(Interval { low: Double::of(low), high: Double::of(high) });
+    let [rough, fine] = LIMITS.map(|limits| Limits { least: limits.least * scale, ..limits });
+    f.rough_cells(Interval { low, high }, rough, &mut |cell| match cell {
+        Cell::One { part, rising } => {
+            let Interval { low, high } = refined(|t| f.rough(t), part, rising, 0.0);
+            ones.push((Interval { low: Double::of(low), high: Double::of(high) }, rising));
+        }
+        Cell::Doubt(part) => {
+            let (low, high) = (Double::of(part.low), Double::of(part.high));
+            match doubts.last_mut().filter(|last| last.high == low) {
+                Some(last) => last.high = high,
+                None => doubts.push(Interval { low, high }),
             }
-            Cell::Doubt(part) => {
-                let (low, high) = (Double::of(part.low), Double::of(part.high));
-                match doubts.last_mut().filter(|last| last.high == low) {
-                    Some(last) => last.high = high,
-                    None => doubts.push(Interval { low, high }),
-                }
-            }
-        },
-    );
+        }
+    });
     out.close = !doubts.is_empty();
     for doubt in doubts {
-        isolate(
-            |t| f.fine(t),
-            |t| f.is_beyond(t),
-            doubt,
-            1e-20 * scale,
-            PARTS[1],
-            |cell| match cell {
-                Cell::One(part) => ones.push(part),
-                Cell::Doubt(part) => out.doubtful.push(part.middle().to_f64()),
-            },
-        );
+        f.fine_cells(doubt, fine, &mut |cell| match cell {
+            Cell::One { part, rising } => ones.push((part, rising)),
+            Cell::Doubt(part) => out.doubtful.push(part.middle().to_f64()),
+        });
     }
-    for one in ones {
-        let near = refined(|t| f.fine(t), one, FINE_ENOUGH * scale);
+    for (one, rising) in ones {
+        let near = refined(|t| f.fine(t), one, rising, FINE_ENOUGH * scale);
         match f.counts(near) {
             Some(true) => out.at.push(near.middle()),
             Some(false) => {}
@@ -154,22 +163,28 @@ pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
 const FINE_ENOUGH: f64 = 1e-26;
 
 /// The zero in a part where there is just one, as narrow as it gets or as is enough.
-fn refined<S: Scalar>(f: impl Fn(Interval<S>) -> Jet<S>, mut part: Interval<S>, enough: f64) -> Interval<S> {
+fn refined<S: Scalar>(
+    f: impl Fn(Interval<S>) -> Jet<S>,
+    mut part: Interval<S>,
+    rising: bool,
+    enough: f64,
+) -> Interval<S> {
     for _ in 0..200 {
         let (middle, slope) = (part.middle(), f(part).slope);
-        let step = f(Interval::point(middle)).value / slope;
-        let next = (Interval::point(middle) - step).meet(part);
-        let (before, after) = ((part.high - part.low).to_f64(), (next.high - next.low).to_f64());
-        if after <= enough {
+        let value = f(Interval::point(middle)).value;
+        let width = |part: Interval<S>| (part.high - part.low).to_f64();
+        let next = match slope.has_zero() {
+            true => part,
+            false => (Interval::point(middle) - value / slope).meet(part),
+        };
+        if width(next) <= enough {
             return next;
         }
-        if after > 0.5 * before {
+        if width(next) > 0.5 * width(part) {
             // Newton has stopped helping: halve, or end where nothing helps.
-            let value = f(Interval::point(middle)).value;
             if value.has_zero() {
                 return next;
             }
-            let rising = slope.is_positive();
             let left = value.is_negative() != rising;
             part = if left { Interval { high: middle, ..part } } else { Interval { low: middle, ..part } };
             continue;

@@ -6,7 +6,8 @@
 //! POVISTA_STABILITY=renew cargo test --profile testing --test stability
 //! ```
 //!
-//! and by hand, with more rays to a scale (`POVISTA_STABILITY_SHOW=1` shows those that go wrong):
+//! and by hand, with more rays to a scale (`POVISTA_STABILITY_SHOW=1` shows those that go wrong,
+//! `POVISTA_STABILITY=renew` keeps the row in `many.txt`):
 //!
 //! ```text
 //! POVISTA_STABILITY_RAYS=1000000 cargo test --profile testing --test stability -- --nocapture
@@ -15,6 +16,7 @@
 mod certify;
 mod curve;
 mod double;
+mod form;
 mod interval;
 mod invariance;
 mod model;
@@ -53,14 +55,18 @@ const FAR_OFF: f64 = 1000.0;
 const FEWER: [(u64, &[&str], &str); 1] = [(
     1000,
     &["julia.cube", "julia.hypercomplex", "julia.square"],
-    "as interval arithmetic takes 1 to 4 ms to prove what one of them meets",
+    "as double-double arithmetic takes about a millisecond to prove what one of them meets",
 )];
+
+/// Rays to a scale, where that was told by hand.
+fn told() -> Option<u64> {
+    std::env::var("POVISTA_STABILITY_RAYS").ok().and_then(|n| n.parse().ok())
+}
 
 /// Rays to a scale of a subject.
 fn rays(name: &str) -> u64 {
-    let told = std::env::var("POVISTA_STABILITY_RAYS").ok().and_then(|n| n.parse().ok());
     let usual = || FEWER.iter().find(|(_, names, _)| names.contains(&name)).map_or(RAYS, |(rays, ..)| *rays);
-    told.unwrap_or_else(usual)
+    told().unwrap_or_else(usual)
 }
 
 /// The world with one object.

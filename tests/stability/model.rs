@@ -3,10 +3,11 @@
 use povista::math::DVec3;
 use povista::world::Ray;
 
-use crate::certify::{Along, Zeros, zeros};
+use crate::certify::{Along, Cell, Limits, Zeros, isolate, zeros};
 use crate::double::Double;
+use crate::form::{self, Form};
 use crate::interval::{Interval, Scalar};
-use crate::real::{Jet, Moved, Real};
+use crate::real::{Jet, Moved, Real, Ring};
 
 /// A surface made of pieces: each where an equation is zero and a limit, if there is one, negative.
 pub(crate) trait Model: Sync {
@@ -22,6 +23,11 @@ pub(crate) trait Model: Sync {
 
     /// Half the side of a cube about the origin that holds the surface, or what is looked at of it.
     fn reach(&self) -> f64;
+
+    /// The same where it is a polynomial whose zeros are found by its form.
+    fn polynomial<T: Ring>(&self, _piece: usize, _p: &[T; 3]) -> Option<T> {
+        None
+    }
 
     /// A ball that holds a piece, if there is need to pass over it quickly.
     fn ball(&self, _piece: usize) -> Option<(DVec3, f64)> {
@@ -39,6 +45,11 @@ pub(crate) trait Subject: Sync {
 
     /// A function that is zero on the surface: its sensitivity to the inputs and its gradient at a crossing.
     fn sensitivity(&self, line: &Line, at: &Exact) -> Moved;
+
+    /// By how much a line has to be moved to be on a piece at this distance, to the first order.
+    fn moves_onto(&self, _line: &Line, _t: Double) -> Vec<DVec3> {
+        Vec::new()
+    }
 }
 
 /// A ray in the space of a model, from where it passes the origin.
@@ -79,7 +90,19 @@ impl Line {
     }
 
     fn rough(&self, t: Interval<f64>) -> [Jet<f64>; 3] {
-        self.at(t, |x| Interval::point(x.to_f64()).widened(self.room))
+        self.at(t, |x| self.loosely(x))
+    }
+
+    fn loosely(&self, x: Double) -> Interval<f64> {
+        Interval::point(x.to_f64()).widened(self.room)
+    }
+
+    /// The coordinates over a stretch.
+    fn forms<S: Scalar>(&self, t: Interval<S>, start: impl Fn(Double) -> Interval<S>) -> [Form<S>; 3] {
+        std::array::from_fn(|i| {
+            let at = |t: S| start(self.origin[i]) + Interval::point(t) * S::around(self.direction[i]);
+            Form::line(at(t.low), at(t.high))
+        })
     }
 
     fn fine(&self, t: Interval<Double>) -> [Jet<Double>; 3] {
@@ -102,6 +125,26 @@ struct Piece<'a, M> {
     line: &'a Line,
 }
 
+impl<M: Model> Piece<'_, M> {
+    fn cells<S: Scalar>(
+        &self,
+        range: Interval<S>,
+        limits: Limits,
+        start: impl Fn(Double) -> Interval<S>,
+        jet: impl Fn(Interval<S>) -> Jet<S>,
+        found: &mut dyn FnMut(Cell<S>),
+    ) {
+        let form = |over| self.model.polynomial(self.number, &self.line.forms(over, &start));
+        match form(range) {
+            Some(whole) => {
+                let over = |part| form(part).expect("it is a polynomial everywhere");
+                form::isolate(whole, over, range, limits, found);
+            }
+            None => isolate(jet, |t| self.is_beyond(t), range, limits, found),
+        }
+    }
+}
+
 impl<M: Model> Along for Piece<'_, M> {
     fn rough(&self, t: Interval<f64>) -> Jet<f64> {
         self.model.equation(self.number, &self.line.rough(t))
@@ -114,6 +157,14 @@ impl<M: Model> Along for Piece<'_, M> {
     fn is_beyond(&self, t: Interval<f64>) -> bool {
         let limit = self.model.limit(self.number, &self.line.rough(t));
         limit.is_some_and(|limit| limit.value.is_positive())
+    }
+
+    fn rough_cells(&self, range: Interval<f64>, limits: Limits, found: &mut dyn FnMut(Cell<f64>)) {
+        self.cells(range, limits, |x| self.line.loosely(x), |t| self.rough(t), found);
+    }
+
+    fn fine_cells(&self, range: Interval<Double>, limits: Limits, found: &mut dyn FnMut(Cell<Double>)) {
+        self.cells(range, limits, Interval::point, |t| self.fine(t), found);
     }
 
     fn counts(&self, t: Interval<Double>) -> Option<bool> {
@@ -164,15 +215,21 @@ impl<M: Model> Subject for M {
     fn meet(&self, line: &Line) -> Meeting {
         let mut out = Meeting::default();
         let Some(half) = half_length(self, line) else { return out };
-        let (from, along) = (line.point(Double::of(0.0)), line.direction().normalize());
+        let (from, speed) = (line.point(Double::of(0.0)), line.direction().length());
+        let along = line.direction() / speed;
         for number in 0..self.pieces() {
-            let passes = self.ball(number).is_some_and(|(center, radius)| {
-                along.cross(center - from).length() > radius * 1.001 + 10.0 * line.room
-            });
-            if passes {
-                continue;
+            let (mut low, mut high) = (-half, half);
+            if let Some((center, radius)) = self.ball(number) {
+                let radius = radius * 1.001 + 10.0 * line.room;
+                let square = radius * radius - along.cross(center - from).length_squared();
+                if square < 0.0 {
+                    continue;
+                }
+                let (middle, chord) = (along.dot(center - from), square.sqrt());
+                // Never through the middle, where symmetric shapes have their roots.
+                (low, high) = ((middle - chord) / speed, (middle + 1.03 * chord) / speed);
             }
-            let Zeros { at, doubtful, close } = zeros(&Piece { model: self, number, line }, -half, half);
+            let Zeros { at, doubtful, close } = zeros(&Piece { model: self, number, line }, low, high);
             out.crossings.extend(at.into_iter().map(|t| Exact { t, piece: number, w: Double::of(0.0) }));
             out.doubtful.extend(doubtful);
             out.close |= close;
@@ -187,5 +244,15 @@ impl<M: Model> Subject for M {
             Moved { value: p[i], by: p[i].abs() + line.room / (4.0 * f64::EPSILON), slope }
         });
         self.equation(at.piece, &point)
+    }
+
+    fn moves_onto(&self, line: &Line, t: Double) -> Vec<DVec3> {
+        let onto = |piece| {
+            let value = self.equation(piece, &line.fine(Interval::point(t))).value.middle().to_f64();
+            let rise =
+                DVec3::from_array(self.sensitivity(line, &Exact { t, piece, w: Double::of(0.0) }).slope);
+            rise * (-value / rise.length_squared())
+        };
+        (0..self.pieces()).map(onto).collect()
     }
 }

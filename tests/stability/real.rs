@@ -4,19 +4,33 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::interval::{Interval, Scalar};
 
-/// A real number, or what stands for one.
-pub(crate) trait Real:
-    Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+/// What polynomials can be worked out in: a number, or what stands for one.
+pub(crate) trait Ring:
+    Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// Exactly `x`.
     fn of(x: f64) -> Self;
-    fn sqrt(self) -> Self;
-    fn abs(self) -> Self;
-    fn max(self, other: Self) -> Self;
 
     fn square(self) -> Self {
         self.clone() * self
     }
+
+    fn times(self, factor: f64) -> Self {
+        self * Self::of(factor)
+    }
+
+    fn over(self, divisor: f64) -> Self;
+
+    fn plus(self, term: f64) -> Self {
+        self + Self::of(term)
+    }
+}
+
+/// A real number, or what stands for one.
+pub(crate) trait Real: Ring + Div<Output = Self> {
+    fn sqrt(self) -> Self;
+    fn abs(self) -> Self;
+    fn max(self, other: Self) -> Self;
 
     /// To the power of a positive number, of what isn't negative.
     fn power(self, exponent: f64) -> Self;
@@ -24,14 +38,6 @@ pub(crate) trait Real:
     /// The same number where it counts, else one that makes products vanish: for fields that end.
     fn positive(self) -> Self {
         self.max(Self::of(0.0))
-    }
-
-    fn times(self, factor: f64) -> Self {
-        self * Self::of(factor)
-    }
-
-    fn plus(self, term: f64) -> Self {
-        self + Self::of(term)
     }
 }
 
@@ -79,11 +85,32 @@ impl<S: Scalar> Div for Jet<S> {
     }
 }
 
-impl<S: Scalar> Real for Jet<S> {
+impl<S: Scalar> Ring for Jet<S> {
     fn of(x: f64) -> Self {
         Self { value: Interval::of(x), slope: Interval::of(0.0) }
     }
 
+    fn square(self) -> Self {
+        let slope = self.value * self.slope;
+        Self { value: self.value.square(), slope: slope + slope }
+    }
+
+    fn times(self, factor: f64) -> Self {
+        let factor = Interval::of(factor);
+        Self { value: self.value * factor, slope: self.slope * factor }
+    }
+
+    fn over(self, divisor: f64) -> Self {
+        let divisor = Interval::of(divisor);
+        Self { value: self.value / divisor, slope: self.slope / divisor }
+    }
+
+    fn plus(self, term: f64) -> Self {
+        Self { value: self.value + Interval::of(term), slope: self.slope }
+    }
+}
+
+impl<S: Scalar> Real for Jet<S> {
     fn sqrt(self) -> Self {
         let value = self.value.sqrt();
         Self { value, slope: self.slope / (value + value) }
@@ -107,20 +134,6 @@ impl<S: Scalar> Real for Jet<S> {
         } else {
             Self { value: self.value.max(other.value), slope: self.slope.hull(other.slope) }
         }
-    }
-
-    fn square(self) -> Self {
-        let slope = self.value * self.slope;
-        Self { value: self.value.square(), slope: slope + slope }
-    }
-
-    fn times(self, factor: f64) -> Self {
-        let factor = Interval::of(factor);
-        Self { value: self.value * factor, slope: self.slope * factor }
-    }
-
-    fn plus(self, term: f64) -> Self {
-        Self { value: self.value + Interval::of(term), slope: self.slope }
     }
 
     fn power(self, exponent: f64) -> Self {
@@ -195,10 +208,16 @@ impl Div for Moved {
     }
 }
 
-impl Real for Moved {
+impl Ring for Moved {
     fn of(x: f64) -> Self {
         Self { value: x, by: x.abs(), slope: [0.0; 3] }
     }
+    fn over(self, divisor: f64) -> Self {
+        self / Self::of(divisor)
+    }
+}
+
+impl Real for Moved {
     fn sqrt(self) -> Self {
         let value = self.value.max(0.0).sqrt();
         let by = self.by / (2.0 * value);

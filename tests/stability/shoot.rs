@@ -139,7 +139,8 @@ impl<M: Subject> Target<'_, M> {
         let mut score = Score { rays: 1, hits: exact.crossings.len() as u64, ..Score::default() };
         let same = found.len() == exact.crossings.len();
         if exact.close || !exact.doubtful.is_empty() || !same {
-            let undecidable = !exact.doubtful.is_empty() || self.is_undecidable(&line, &exact);
+            let hits: Vec<_> = found.iter().map(|(t, _)| t - line.shift).collect();
+            let undecidable = !exact.doubtful.is_empty() || self.is_undecidable(&line, &exact, &hits);
             if undecidable {
                 score.undecidable = 1;
                 return score;
@@ -172,7 +173,7 @@ impl<M: Subject> Target<'_, M> {
         let nearest = exact.crossings.iter().find(|crossing| crossing.t.to_f64() + line.shift > 0.0);
         let mut score = Score { rays: 1, hits: u64::from(nearest.is_some()), ..Score::default() };
         let unclear = exact.close || !exact.doubtful.is_empty();
-        if unclear && (!exact.doubtful.is_empty() || self.is_undecidable(&line, &exact)) {
+        if unclear && (!exact.doubtful.is_empty() || self.is_undecidable(&line, &exact, &[])) {
             score.undecidable = 1;
             return score;
         }
@@ -210,12 +211,17 @@ impl<M: Subject> Target<'_, M> {
     /// The condition of a hit is the slope of its distance as the line moves. That tells nothing of a line which
     /// runs along a wall, nearer to it than it is known itself: the line leaves the solid where the wall begins or,
     /// moved by no more than its rounding, at the other end of the wall, and has as many crossings either way.
-    fn is_undecidable(&self, line: &Line, exact: &Meeting) -> bool {
+    ///
+    /// A line that all but lies in a plane crosses it only when it is moved by just the distance between them, so the
+    /// moves that put it on a piece where hits were found are tried as well.
+    fn is_undecidable(&self, line: &Line, exact: &Meeting, hits: &[f64]) -> bool {
         let mut dice = Dice::new(exact.crossings.len() as u64);
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let aside = axes.into_iter().chain((0..4).map(|_| dice.cube().normalize()));
-        aside.flat_map(|to| [to, -to]).any(|to| {
-            let moved = self.model.meet(&line.moved(to * line.room));
+        let aside = aside.flat_map(|to| [to, -to]).map(|to| to * line.room);
+        let onto = hits.iter().flat_map(|t| self.model.moves_onto(line, Double::of(*t)));
+        aside.chain(onto.filter(|by| by.length() <= line.room)).any(|by| {
+            let moved = self.model.meet(&line.moved(by));
             let leaps = |(one, other): (&Exact, &Exact)| {
                 one.piece != other.piece && {
                     let away = (one.t - other.t).abs().to_f64();

@@ -19,7 +19,7 @@ fn dot<T: Real>(normal: [f64; 3], [x, y, z]: &[T; 3]) -> T {
 
 impl Model for Plane {
     fn equation<T: Real>(&self, _piece: usize, p: &[T; 3]) -> T {
-        let length = self.normal.map(T::of).map(Real::square);
+        let length = self.normal.map(T::of).map(T::square);
         let [x, y, z] = length;
         dot(self.normal, p) - (x + y + z).sqrt().times(self.distance)
     }

@@ -4,8 +4,10 @@
 //! are: a point is inside if the last point of its orbit that is looked at is. The precision is high: of a lower one
 //! is asked that thin parts are missed as POV-Ray misses them.
 
+use povista::math::DVec3;
+
 use crate::model::Model;
-use crate::real::Real;
+use crate::real::{Real, Ring};
 use crate::shoot_at;
 
 #[derive(Clone, Copy)]
@@ -23,7 +25,7 @@ struct Julia {
 }
 
 /// Written out so that squares are known not to be negative.
-fn raised<T: Real>(map: Map, [x, y, z, w]: [T; 4]) -> [T; 4] {
+fn raised<T: Ring>(map: Map, [x, y, z, w]: [T; 4]) -> [T; 4] {
     let square = |x: &T| x.clone().square();
     let twice = |x: &T, y: &T| (x.clone() * y.clone()).times(2.0);
     match map {
@@ -55,9 +57,16 @@ impl Julia {
         if let Map::Hypercomplex = self.map { 4.0 } else { (1.0 + constant + 1e-7).min(2.0) }
     }
 
+    /// From beyond this distance the first turn leads out of the ball, for good.
+    fn leap(&self) -> f64 {
+        let constant = self.constant.map(|c| c * c).iter().sum::<f64>().sqrt();
+        let exponent = if let Map::Cube = self.map { 3.0 } else { 2.0 };
+        (self.radius() + constant).powf(1.0 / exponent)
+    }
+
     /// The square of the distance after so many turns.
-    fn square<T: Real>(&self, p: &[T; 3], turns: usize) -> T {
-        let [x, y, z] = p.clone().map(|c| c / T::of(self.size));
+    fn square<T: Ring>(&self, p: &[T; 3], turns: usize) -> T {
+        let [x, y, z] = p.clone().map(|c| c.over(self.size));
         let mut q = [x, y, z, T::of(0.0)];
         for _ in 0..turns {
             let [x, y, z, w] = raised(self.map, q);
@@ -68,14 +77,18 @@ impl Julia {
         x.square() + y.square() + z.square() + w.square()
     }
 
-    fn excess<T: Real>(&self, p: &[T; 3]) -> T {
+    fn excess<T: Ring>(&self, p: &[T; 3]) -> T {
         let radius = self.radius();
         let escape = if let Map::Hypercomplex = self.map { 16.0 } else { radius * radius + 1e-7 };
         self.square(p, self.iterations - 1).plus(-escape)
     }
 
-    fn beyond_ball<T: Real>(&self, p: &[T; 3]) -> T {
+    fn beyond_ball<T: Ring>(&self, p: &[T; 3]) -> T {
         self.square(p, 0) - T::of(self.radius()).square()
+    }
+
+    fn either<T: Ring>(&self, piece: usize, p: &[T; 3]) -> T {
+        if piece == 0 { self.excess(p) } else { self.beyond_ball(p) }
     }
 }
 
@@ -84,7 +97,14 @@ impl Model for Julia {
         2
     }
     fn equation<T: Real>(&self, piece: usize, p: &[T; 3]) -> T {
-        if piece == 0 { self.excess(p) } else { self.beyond_ball(p) }
+        self.either(piece, p)
+    }
+    fn polynomial<T: Ring>(&self, piece: usize, p: &[T; 3]) -> Option<T> {
+        Some(self.either(piece, p))
+    }
+    fn ball(&self, piece: usize) -> Option<(DVec3, f64)> {
+        let radius = if piece == 0 { self.leap() } else { self.radius() };
+        Some((DVec3::ZERO, radius * self.size))
     }
     fn limit<T: Real>(&self, piece: usize, p: &[T; 3]) -> Option<T> {
         Some(if piece == 0 { self.beyond_ball(p) } else { self.excess(p) })
