@@ -1,5 +1,5 @@
-//! Pixels next to each other in a row are looked at four at a time, ahead of who asks for them: their rays travel
-//! together, and what those of a tile of pixels may meet is found once.
+//! Four places of a picture are looked at together where they are near each other: their rays travel together, and what
+//! those of a tile of pixels may meet is found once. Pixels of a row are looked at ahead of who asks for them.
 
 use super::Eye;
 use super::plain::{Bundle, Room};
@@ -8,7 +8,7 @@ use super::reflections::Reflections;
 use super::sampling::Sample;
 use super::trace::{Path, Tracer};
 use crate::math::wide::widest;
-use crate::math::{Bounds, Lanes};
+use crate::math::{Bounds, DVec2, Lanes};
 use crate::world::accel::{Pencil, Within};
 use crate::world::camera::{Perspective, film, film_of_four};
 use crate::world::hit::Hit;
@@ -19,6 +19,9 @@ const FOUR: i32 = Lanes::COUNT as i32;
 
 /// Pixels along each side of a tile.
 const TILE: i32 = 8;
+
+/// Rays of a tile stay within this of the middles of its pixels, along both axes.
+const EDGE: f64 = 0.55;
 
 /// So many tiles next to each other are remembered: those of a block.
 const TILES: usize = 4;
@@ -65,15 +68,39 @@ impl Eye<'_> {
         Some(tracer.ahead.samples[lane as usize])
     }
 
-    /// Looks at four pixels from one on; whether that is worth while.
-    fn look_ahead(&self, tracer: &mut Tracer, perspective: &Perspective, first: [i32; 2]) -> bool {
-        let [column, row] = first;
-        let place = first.map(|along| along & !(TILE - 1));
-        let number = (column / TILE) as usize % TILES;
-        let tile = &mut tracer.ahead.tiles[number];
-        if i64::from(column) + i64::from(FOUR) > i64::from(self.options.region.columns.end) {
-            return false;
+    /// What is seen at four image coordinates near each other.
+    pub(super) fn four(&self, tracer: &mut Tracer, places: &[DVec2; Lanes::COUNT]) -> [Sample; Lanes::COUNT] {
+        if let Some(perspective) = self.rows
+            && let Some(tile) = self.tile_around(tracer, perspective, places)
+        {
+            tracer.statistics.samples += Lanes::COUNT as u64;
+            return self.look(tracer, perspective, tile, &places.map(Into::into));
         }
+        places.map(|place| self.sample(tracer, place.x, place.y))
+    }
+
+    /// The tile in which four places are, where it is known what its rays may meet.
+    fn tile_around(
+        &self,
+        tracer: &mut Tracer,
+        perspective: &Perspective,
+        places: &[DVec2; Lanes::COUNT],
+    ) -> Option<usize> {
+        let pixel = (places[0] + 0.5).floor();
+        let corner = [pixel.x, pixel.y].map(|along| along as i32 & !(TILE - 1));
+        let [left, top] = corner.map(f64::from);
+        let span = f64::from(TILE - 1) + EDGE;
+        let within = |place: &DVec2| {
+            let (x, y) = (place.x - left, place.y - top);
+            -EDGE <= x && x <= span && -EDGE <= y && y <= span
+        };
+        if places.iter().all(within) { self.tile(tracer, perspective, corner) } else { None }
+    }
+
+    /// The tile with an upper left pixel, where it is known what its rays may meet.
+    fn tile(&self, tracer: &mut Tracer, perspective: &Perspective, place: [i32; 2]) -> Option<usize> {
+        let number = (place[0] / TILE) as usize % TILES;
+        let tile = &mut tracer.ahead.tiles[number];
         if tile.place != Some(place) {
             tile.place = Some(place);
             let pencil = self.pencil_of(perspective, place.map(f64::from));
@@ -81,26 +108,48 @@ impl Eye<'_> {
             tile.known = pencil.is_some_and(|pencil| geometry.within(&pencil, &mut tile.within));
             tile.reflections.restart(pencil.filter(|_| tile.known));
         }
-        if !tile.known {
+        tile.known.then_some(number)
+    }
+
+    /// Looks at four pixels from one on; whether that is worth while.
+    fn look_ahead(&self, tracer: &mut Tracer, perspective: &Perspective, first: [i32; 2]) -> bool {
+        let [column, row] = first;
+        if i64::from(column) + i64::from(FOUR) > i64::from(self.options.region.columns.end) {
             return false;
         }
+        let corner = first.map(|along| along & !(TILE - 1));
+        let Some(tile) = self.tile(tracer, perspective, corner) else { return false };
         let mut places = [(f64::from(column), f64::from(row)); Lanes::COUNT];
         for (lane, place) in places.iter_mut().enumerate() {
             place.0 += lane as f64;
         }
-        let rays = self.rays_of_four(perspective, &places);
+        let samples = self.look(tracer, perspective, tile, &places);
+        (tracer.ahead.first, tracer.ahead.samples) = (Some(first), samples);
+        true
+    }
+
+    /// What is seen at four places of a tile.
+    fn look(
+        &self,
+        tracer: &mut Tracer,
+        perspective: &Perspective,
+        tile: usize,
+        places: &[(f64, f64); Lanes::COUNT],
+    ) -> [Sample; Lanes::COUNT] {
+        let rays = self.rays_of_four(perspective, places);
         let (mut hits, kind) = ([None; Lanes::COUNT], RayKind::IMAGE);
-        self.world.geometry.hits(&tile.within, &rays, Lanes::COUNT, kind, 0.0, &mut hits);
+        let within = &tracer.ahead.tiles[tile].within;
+        self.world.geometry.hits(within, &rays, Lanes::COUNT, kind, 0.0, &mut hits);
         let inside = self.inside.clone().unwrap_or_default();
         let mut path = Path { ray: rays.ray(0), level: 0, weight: 1.0, kind, wavelength: None, inside };
         let mut samples = [Sample::default(); Lanes::COUNT];
         let (mut lane, mut room) = (0, Room::NEW);
-        std::mem::swap(&mut tracer.reflections, &mut tracer.ahead.tiles[number].reflections);
+        std::mem::swap(&mut tracer.reflections, &mut tracer.ahead.tiles[tile].reflections);
         self.four_seen(
             tracer,
             (&mut path, &mut room),
             &rays,
-            &places,
+            places,
             &hits,
             #[inline(always)]
             |sample| {
@@ -108,12 +157,11 @@ impl Eye<'_> {
                 lane += 1;
             },
         );
-        std::mem::swap(&mut tracer.reflections, &mut tracer.ahead.tiles[number].reflections);
-        (tracer.ahead.first, tracer.ahead.samples) = (Some(first), samples);
-        true
+        std::mem::swap(&mut tracer.reflections, &mut tracer.ahead.tiles[tile].reflections);
+        samples
     }
 
-    /// All rays through the middles of the pixels of a tile.
+    /// All rays through the pixels of a tile.
     #[cold]
     fn pencil_of(&self, perspective: &Perspective, [left, top]: [f64; 2]) -> Option<Pencil> {
         let corner = |x: f64, y: f64| {
@@ -121,8 +169,8 @@ impl Eye<'_> {
                 perspective.project(film(left + x, top + y, self.options.width, self.options.height)).ray;
             origin + direction
         };
-        let last = f64::from(TILE - 1);
-        let through = [corner(0.0, 0.0), corner(last, 0.0), corner(0.0, last), corner(last, last)];
+        let (first, last) = (-EDGE, f64::from(TILE - 1) + EDGE);
+        let through = [corner(first, first), corner(last, first), corner(first, last), corner(last, last)];
         Pencil::new(Bounds::of([perspective.frame.location]), Bounds::of(through))
     }
 

@@ -24,7 +24,7 @@ pub(super) fn render(eye: &Eye<'_>, seconds: f32, filter: Filter, progress: &dyn
         }
         round = Turns { first: taken, count };
         let more = tiles::render(eye.options, &(), |block| {
-            eye.sampled(|sample| even(block, round, filter, eye.options.seed, sample))
+            eye.sampled(|look| even(block, round, filter, eye.options.seed, look))
         });
         let share = count as f32 / (taken + count) as f32;
         blend(&mut rendered.image, &more.image, share);

@@ -28,8 +28,8 @@ pub use film::Image;
 pub use sampling::Sample;
 pub use stats::Statistics;
 
-use crate::math::DVec2;
 use crate::math::tally::Tally;
+use crate::math::{DVec2, Lanes};
 use crate::options::{Antialias, AntialiasMethod, Region, RenderOptions, Sampling};
 use crate::world::accel::Hull;
 use crate::world::atmosphere::Alpha;
@@ -40,6 +40,7 @@ use crate::world::{Ray, RayKind, World};
 use quality::Quality;
 use random::Random;
 use refract::Inside;
+use sampling::Look;
 use trace::{Path, Tracer};
 
 /// What a pixel shows where the camera has no ray.
@@ -95,6 +96,22 @@ struct Eye<'w> {
     rows: Option<&'w Perspective>,
 }
 
+/// An eye, and what it follows rays with.
+struct Looking<'e, 'w> {
+    eye: &'e Eye<'w>,
+    tracer: Tracer<'w>,
+}
+
+impl Look for Looking<'_, '_> {
+    fn at(&mut self, place: DVec2) -> Sample {
+        self.eye.sample(&mut self.tracer, place.x, place.y)
+    }
+
+    fn four(&mut self, places: &[DVec2; Lanes::COUNT]) -> [Sample; Lanes::COUNT] {
+        self.eye.four(&mut self.tracer, places)
+    }
+}
+
 impl<'w> Eye<'w> {
     fn new(world: &'w World, options: &'w RenderOptions) -> Self {
         let eye = world.camera.eye().or_else(|| {
@@ -118,22 +135,20 @@ impl<'w> Eye<'w> {
 
     fn block(&self, block: &Region) -> (Vec<Sample>, Statistics) {
         let working = self.world.settings.working_gamma;
-        self.sampled(|sample| sampling::block(block, self.options, working, sample))
+        self.sampled(|look| sampling::block(block, self.options, working, look))
     }
 
     /// Pixels made of samples at image coordinates, and what they took.
-    fn sampled(
-        &self,
-        pixels: impl FnOnce(&mut dyn FnMut(f64, f64) -> Sample) -> Vec<Sample>,
-    ) -> (Vec<Sample>, Statistics) {
+    fn sampled(&self, pixels: impl FnOnce(&mut dyn Look) -> Vec<Sample>) -> (Vec<Sample>, Statistics) {
         let quality = Quality::new(self.options.quality);
         let alpha = if self.options.output_alpha { Alpha::Stored } else { Alpha::None };
         let pixel = f64::from(self.options.width.max(self.options.height)).recip();
-        let mut tracer = Tracer::new(self.world, quality, alpha, pixel);
+        let tracer = Tracer::new(self.world, quality, alpha, pixel);
         // What the thread counted before belongs to other work.
         Tally::take();
-        let mut sample = |x: f64, y: f64| self.sample(&mut tracer, x, y);
-        let pixels = pixels(&mut sample);
+        let mut looking = Looking { eye: self, tracer };
+        let pixels = pixels(&mut looking);
+        let mut tracer = looking.tracer;
         tracer.statistics.pixels += pixels.len() as u64;
         tracer.statistics.add(Tally::take());
         (pixels, tracer.statistics)

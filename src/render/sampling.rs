@@ -13,12 +13,59 @@ mod neighbours;
 mod quadrants;
 
 use super::random::Random;
+use crate::math::DVec2;
 use crate::math::gamma::Gamma;
 use crate::options::{Antialias, AntialiasMethod, Region, RenderOptions, Sampling};
 pub(super) use even::{Turns, even};
 
 /// Red, green, blue and transmit of a sample.
 pub type Sample = [f32; 4];
+
+/// Tells what is seen at image coordinates.
+pub(super) trait Look {
+    /// At one place.
+    fn at(&mut self, place: DVec2) -> Sample;
+
+    /// At four places near each other.
+    fn four(&mut self, places: &[DVec2; 4]) -> [Sample; 4] {
+        places.map(|place| self.at(place))
+    }
+}
+
+impl<F: FnMut(f64, f64) -> Sample> Look for F {
+    fn at(&mut self, place: DVec2) -> Sample {
+        self(place.x, place.y)
+    }
+}
+
+/// Looks at places, four at a time, and hands on in their order what is seen and what belongs to each.
+fn each<T: Copy + Default>(
+    look: &mut dyn Look,
+    places: impl Iterator<Item = (DVec2, T)>,
+    mut take: impl FnMut(Sample, T),
+) {
+    let (mut waiting, mut count) = ([(DVec2::ZERO, T::default()); 4], 0);
+    for place in places {
+        waiting[count] = place;
+        count += 1;
+        if count == waiting.len() {
+            for (seen, (_, with)) in look.four(&waiting.map(|(place, _)| place)).into_iter().zip(waiting) {
+                take(seen, with);
+            }
+            count = 0;
+        }
+    }
+    for &(place, with) in &waiting[..count] {
+        take(look.at(place), with);
+    }
+}
+
+/// What is seen at places, looked at four at a time.
+fn all(look: &mut dyn Look, places: impl Iterator<Item = DVec2>) -> Vec<Sample> {
+    let mut seen = Vec::with_capacity(places.size_hint().0);
+    each(look, places.map(|place| (place, ())), |sample, ()| seen.push(sample));
+    seen
+}
 
 /// Colours the pixels of `block`, row by row, from samples at image coordinates.
 ///
@@ -27,32 +74,30 @@ pub(super) fn block(
     block: &Region,
     options: &RenderOptions,
     working: Option<Gamma>,
-    sample: &mut dyn FnMut(f64, f64) -> Sample,
+    look: &mut dyn Look,
 ) -> Vec<Sample> {
     match options.sampling {
-        Some(Sampling::Corners) => corners::corners(block, sample),
-        Some(Sampling::Every(step)) => every::every(block, step, sample),
+        Some(Sampling::Corners) => corners::corners(block, look),
+        Some(Sampling::Every(step)) => every::every(block, step, look),
         Some(Sampling::Even { samples, filter }) => {
-            even(block, Turns { first: 0, count: samples }, filter, options.seed, sample)
+            even(block, Turns { first: 0, count: samples }, filter, options.seed, look)
         }
         Some(Sampling::Adaptive { error, most, filter }) => {
             let contrast = Contrast::new(&Antialias::default(), working);
             let aim = adaptive::Aim { error, most };
-            adaptive::adaptive(block, aim, filter, options.seed, &contrast, sample)
+            adaptive::adaptive(block, aim, filter, options.seed, &contrast, look)
         }
         // The first round of many (`super::budget`).
         Some(Sampling::Budget { filter, .. }) => {
-            even(block, Turns { first: 0, count: 1 }, filter, options.seed, sample)
+            even(block, Turns { first: 0, count: 1 }, filter, options.seed, look)
         }
         None => match &options.antialias {
-            None => centres(block, sample),
+            None => centres(block, look),
             Some(antialias) => {
                 let contrast = Contrast::new(antialias, working);
                 match antialias.method {
-                    AntialiasMethod::Neighbours => {
-                        neighbours::neighbours(block, antialias, &contrast, sample)
-                    }
-                    AntialiasMethod::Adaptive => quadrants::quadrants(block, antialias, &contrast, sample),
+                    AntialiasMethod::Neighbours => neighbours::neighbours(block, antialias, &contrast, look),
+                    AntialiasMethod::Adaptive => quadrants::quadrants(block, antialias, &contrast, look),
                 }
             }
         },
@@ -66,8 +111,8 @@ fn pixels(block: &Region) -> impl Iterator<Item = (u32, u32)> {
 }
 
 /// One sample in the middle of each pixel.
-fn centres(block: &Region, sample: &mut dyn FnMut(f64, f64) -> Sample) -> Vec<Sample> {
-    pixels(block).map(|(x, y)| sample(f64::from(x), f64::from(y))).collect()
+fn centres(block: &Region, look: &mut dyn Look) -> Vec<Sample> {
+    pixels(block).map(|(x, y)| look.at(DVec2::new(x.into(), y.into()))).collect()
 }
 
 /// When two samples count as different.

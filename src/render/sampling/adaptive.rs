@@ -5,7 +5,7 @@
 //! of it, or, where an edge may have been missed, what the difference to the neighbours may hide.
 
 use super::even::{Sequence, Sum};
-use super::{Contrast, Sample, pixels};
+use super::{Contrast, Look, Sample, each, pixels};
 use crate::options::{Filter, Region};
 
 /// When to stop.
@@ -37,14 +37,14 @@ struct Pixel {
 }
 
 impl Pixel {
-    fn take(&mut self, count: u32, contrast: &Contrast, sample: &mut dyn FnMut(f64, f64) -> Sample) {
-        for number in self.taken..self.taken + count {
-            let (place, weight) = self.sequence.place(number);
-            let color = sample(place.x, place.y);
-            self.sum.add(color, weight);
-            let seen = contrast.brightness(color);
-            self.seen = [self.seen[0] + seen, self.seen[1] + seen * seen];
-        }
+    fn take(&mut self, count: u32, contrast: &Contrast, look: &mut dyn Look) {
+        let Self { sequence, taken, sum, seen } = self;
+        let places = (*taken..*taken + count).map(|number| sequence.place(number));
+        each(look, places, |color, weight| {
+            sum.add(color, weight);
+            let bright = contrast.brightness(color);
+            *seen = [seen[0] + bright, seen[1] + bright * bright];
+        });
         self.taken += count;
     }
 
@@ -70,7 +70,7 @@ pub(super) fn adaptive(
     filter: Filter,
     seed: u64,
     contrast: &Contrast,
-    sample: &mut dyn FnMut(f64, f64) -> Sample,
+    look: &mut dyn Look,
 ) -> Vec<Sample> {
     let width = block.columns.len();
     let mut all: Vec<Pixel> = pixels(block)
@@ -83,7 +83,7 @@ pub(super) fn adaptive(
         .collect();
     let most = aim.most.max(1);
     for pixel in &mut all {
-        pixel.take(FIRST.min(most), contrast, sample);
+        pixel.take(FIRST.min(most), contrast, look);
     }
     let mut open: Vec<usize> = (0..all.len()).collect();
     while !open.is_empty() {
@@ -101,7 +101,7 @@ pub(super) fn adaptive(
         open.retain(unfinished);
         for &place in &open {
             let pixel = &mut all[place];
-            pixel.take(pixel.taken.min(most - pixel.taken), contrast, sample);
+            pixel.take(pixel.taken.min(most - pixel.taken), contrast, look);
         }
     }
     all.iter().map(|pixel| pixel.sum.mean()).collect()

@@ -1,20 +1,20 @@
 //! The middle of a pixel and its corners, which neighbours share.
 
-use super::{Sample, mean, pixels};
+use super::{Look, Sample, all, mean, pixels};
+use crate::math::DVec2;
 use crate::options::Region;
 
 /// Half of a pixel is its middle, half the mean of its corners: a little more than two samples each.
-pub(super) fn corners(block: &Region, sample: &mut dyn FnMut(f64, f64) -> Sample) -> Vec<Sample> {
+pub(super) fn corners(block: &Region, look: &mut dyn Look) -> Vec<Sample> {
     let (columns, rows) = (&block.columns, &block.rows);
     let around = Region { columns: columns.start..columns.end + 1, rows: rows.start..rows.end + 1 };
-    let corners: Vec<Sample> =
-        pixels(&around).map(|(x, y)| sample(f64::from(x) - 0.5, f64::from(y) - 0.5)).collect();
+    let corners = all(look, pixels(&around).map(|(x, y)| DVec2::new(x.into(), y.into()) - 0.5));
     let width = around.columns.len();
     pixels(block)
         .map(|(x, y)| {
             let at = (y - rows.start) as usize * width + (x - columns.start) as usize;
             let corners = mean([corners[at], corners[at + 1], corners[at + width], corners[at + width + 1]]);
-            mean([sample(f64::from(x), f64::from(y)), corners])
+            mean([look.at(DVec2::new(x.into(), y.into())), corners])
         })
         .collect()
 }

@@ -1,7 +1,7 @@
 //! As many samples for every pixel, spread evenly.
 
 use super::filter::warp;
-use super::{Random, Sample, pixels};
+use super::{Look, Random, Sample, each, pixels};
 use crate::math::DVec2;
 use crate::options::{Filter, Region};
 
@@ -100,16 +100,14 @@ pub(in crate::render) fn even(
     turns: Turns,
     filter: Filter,
     seed: u64,
-    sample: &mut dyn FnMut(f64, f64) -> Sample,
+    look: &mut dyn Look,
 ) -> Vec<Sample> {
     pixels(block)
         .map(|pixel| {
             let sequence = Sequence::new(pixel, filter, seed);
             let mut sum = Sum::default();
-            for number in turns.first..turns.first.saturating_add(turns.count.max(1)) {
-                let (place, weight) = sequence.place(number);
-                sum.add(sample(place.x, place.y), weight);
-            }
+            let numbers = turns.first..turns.first.saturating_add(turns.count.max(1));
+            each(look, numbers.map(|number| sequence.place(number)), |seen, weight| sum.add(seen, weight));
             sum.mean()
         })
         .collect()

@@ -2,16 +2,17 @@
 
 use std::ops::Range;
 
-use super::{Sample, pixels};
+use super::{Look, Sample, pixels};
+use crate::math::DVec2;
 use crate::options::Region;
 
 /// Gives the squares of a grid over the picture, `step` pixels wide, the colour in their middle.
-pub(super) fn every(block: &Region, step: u32, sample: &mut dyn FnMut(f64, f64) -> Sample) -> Vec<Sample> {
+pub(super) fn every(block: &Region, step: u32, look: &mut dyn Look) -> Vec<Sample> {
     let step = step.max(1);
     let cells = |range: &Range<u32>| range.start / step..range.end.div_ceil(step);
     let grid = Region { columns: cells(&block.columns), rows: cells(&block.rows) };
     let middle = |cell: u32| f64::from(cell) * f64::from(step) + f64::from(step - 1) / 2.0;
-    let colors: Vec<Sample> = pixels(&grid).map(|(x, y)| sample(middle(x), middle(y))).collect();
+    let colors: Vec<Sample> = pixels(&grid).map(|(x, y)| look.at(DVec2::new(middle(x), middle(y)))).collect();
     let width = grid.columns.len();
     let place = |x: u32, y: u32| {
         (y / step - grid.rows.start) as usize * width + (x / step - grid.columns.start) as usize

@@ -2,7 +2,8 @@
 
 use rustc_hash::FxHashMap;
 
-use super::{Contrast, Sample, Seen, mean};
+use super::{Contrast, Look, Sample, Seen, all, mean};
+use crate::math::DVec2;
 use crate::options::{Antialias, Region};
 use crate::render::jitter::jitter;
 
@@ -11,14 +12,14 @@ pub(super) fn quadrants(
     block: &Region,
     antialias: &Antialias,
     contrast: &Contrast,
-    sample: &mut dyn FnMut(f64, f64) -> Sample,
+    look: &mut dyn Look,
 ) -> Vec<Sample> {
     let (left, top) = (f64::from(block.columns.start), f64::from(block.rows.start));
     let (width, height) = (block.columns.len(), block.rows.len());
-    let corners: Vec<Seen> = (0..=height)
+    let corners = (0..=height)
         .flat_map(|row| (0..=width).map(move |column| (column, row)))
-        .map(|(column, row)| contrast.seen(sample(left + column as f64 - 0.5, top + row as f64 - 0.5)))
-        .collect();
+        .map(|(column, row)| DVec2::new(left + column as f64 - 0.5, top + row as f64 - 0.5));
+    let corners: Vec<Seen> = all(look, corners).into_iter().map(|color| contrast.seen(color)).collect();
     let steps = 1u32 << antialias.depth;
     let mut grid = Grid {
         contrast,
@@ -26,7 +27,7 @@ pub(super) fn quadrants(
         spread: f64::from(antialias.jitter) / f64::from(steps + 1),
         corner: (0.0, 0.0),
         known: FxHashMap::default(),
-        sample,
+        look,
     };
     let mut pixels = Vec::with_capacity(width * height);
     for (row, column) in (0..height).flat_map(|row| (0..width).map(move |column| (row, column))) {
@@ -50,7 +51,7 @@ struct Grid<'a> {
     corner: (f64, f64),
     /// Places sampled before.
     known: FxHashMap<(u32, u32), Seen>,
-    sample: &'a mut dyn FnMut(f64, f64) -> Sample,
+    look: &'a mut dyn Look,
 }
 
 /// A square of the grid.
@@ -92,7 +93,7 @@ impl Grid<'_> {
         let place = |corner: f64, index: u32| corner + f64::from(index) / f64::from(self.steps);
         let (px, py) = (place(self.corner.0, x), place(self.corner.1, y));
         let moved = if self.spread > 0.0 { jitter(px, py) * self.spread } else { Default::default() };
-        let seen = self.contrast.seen((self.sample)(px + moved.x, py + moved.y));
+        let seen = self.contrast.seen(self.look.at(DVec2::new(px, py) + moved));
         self.known.insert((x, y), seen);
         seen
     }
