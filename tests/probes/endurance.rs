@@ -86,10 +86,24 @@ fn rays_from_the_eye_meet_together_what_they_meet_alone() {
         let sdl = format!(
             "#declare Floor=finish{{{floor}}} camera{{location <0,2,-7> look_at 0 {camera}}} {sky} {objects}"
         );
-        let [linear, tree] = [Accelerator::Linear, Accelerator::Bvh].map(|accelerator| {
-            let options = RenderOptions { accelerator, ..RenderOptions::new(48, 36) };
+        let of = |accelerator, sampling, method: Option<AntialiasMethod>| {
+            let antialias = method.map(|method| Antialias { method, threshold: 0.02, ..Default::default() });
+            let options = RenderOptions { accelerator, sampling, antialias, ..RenderOptions::new(48, 36) };
             picture(&scene(&sdl, "3.7"), &options).unwrap().image
-        });
+        };
+        let even = Sampling::Even { samples: 6, filter: Filter::Gaussian };
+        let refined = [
+            (None, Some(AntialiasMethod::Neighbours)),
+            (None, Some(AntialiasMethod::Adaptive)),
+            (Some(even), None),
+            (Some(Sampling::Corners), None),
+        ];
+        // Samples of a lens are none of the sampling's.
+        for (sampling, method) in refined.into_iter().filter(|_| camera.is_empty()) {
+            let [linear, tree] = [Accelerator::Linear, Accelerator::Bvh].map(|a| of(a, sampling, method));
+            assert!(tree == linear, "{floor} {sampling:?} {method:?}");
+        }
+        let [linear, tree] = [Accelerator::Linear, Accelerator::Bvh].map(|a| of(a, None, None));
         assert!(tree == linear, "{camera} {floor}");
         let rgb = |[r, g, b, _]: &[f32; 4]| (r + g + b).to_bits();
         let colors: std::collections::HashSet<u32> = tree.pixels.iter().map(rgb).collect();
