@@ -1,6 +1,6 @@
 //! Long ways of light, and the same picture whatever finds the objects.
 
-use povista::options::{Accelerator, Antialias, RenderOptions};
+use povista::options::{Accelerator, Antialias, AntialiasMethod, Filter, RenderOptions, Sampling};
 
 use crate::table::{picture, scene};
 
