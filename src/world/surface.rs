@@ -102,7 +102,9 @@ fn details(leaf: &Leaf, ray: &Ray, hit: &Hit) -> [DVec3; 4] {
     let outer = |inner| leaf.transform.as_ref().map_or(inner, |transform| transform.point(inner));
     if leaf.primitive.is_simple() {
         let (inner, normal) = leaf.primitive.touched(inner, &hit.crossing);
-        let (point, normal) = (outer(inner), leaf.outer_normal(normal));
+        // A unit vector made unit again may end up a little elsewhere.
+        let normal = if leaf.transform.is_none() { leaf.outward(normal) } else { leaf.outer_normal(normal) };
+        let point = outer(inner);
         return [point, point, normal, normal];
     }
     if let Primitive::Other(shape) = &leaf.primitive
