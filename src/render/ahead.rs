@@ -212,15 +212,18 @@ impl Eye<'_> {
             return;
         }
         tracer.statistics.camera_rays += hits.len() as u64;
-        // Loops: closures given to methods of arrays are not compiled together with what is around them.
-        let (mut met, mut randoms) = ([None; Lanes::COUNT], [Random::default(); Lanes::COUNT]);
-        let mut apart = [rays.ray(0); Lanes::COUNT];
-        for lane in 0..hits.len() {
-            met[lane] = hits[lane].as_ref();
-            randoms[lane] = Random::of_sample(places[lane].0, places[lane].1, self.options.seed);
-            apart[lane] = rays.ray(lane);
+        // Loops: closures given to methods of arrays are not compiled together with what is around them. The bundle is
+        // filled where it stays: a copy of what was only just written would wait for it.
+        let mut randoms = [Random::default(); Lanes::COUNT];
+        for (random, &(x, y)) in randoms.iter_mut().zip(places) {
+            *random = Random::of_sample(x, y, self.options.seed);
         }
-        let bundle = Bundle { rays: apart, hits: met, randoms: Some(&randoms) };
+        let (apart, met) = ([rays.ray(0); Lanes::COUNT], [None; Lanes::COUNT]);
+        let mut bundle = Bundle { rays: apart, hits: met, randoms: Some(&randoms) };
+        for (lane, hit) in hits.iter().enumerate() {
+            bundle.hits[lane] = hit.as_ref();
+            bundle.rays[lane] = rays.ray(lane);
+        }
         tracer.trace_bundle::<_, true>(
             path,
             &bundle,

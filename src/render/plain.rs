@@ -86,7 +86,7 @@ impl<'w> Tracer<'w> {
 
     /// The colours of the surfaces that rays met which are that simple. Those from the `EYE` travel on together where
     /// they are mirrored.
-    #[inline]
+    #[inline(always)]
     pub(super) fn plain<const N: usize, const EYE: bool>(
         &mut self,
         path: &mut Path,
