@@ -70,7 +70,7 @@ impl Eye<'_> {
 
     /// What is seen at four image coordinates near each other.
     pub(super) fn four(&self, tracer: &mut Tracer, places: &[DVec2; Lanes::COUNT]) -> [Sample; Lanes::COUNT] {
-        if let Some(perspective) = self.rows
+        if let Some(perspective) = self.perspective
             && let Some(tile) = self.tile_around(tracer, perspective, places)
         {
             tracer.statistics.samples += Lanes::COUNT as u64;

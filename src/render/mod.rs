@@ -92,8 +92,10 @@ struct Eye<'w> {
     options: &'w RenderOptions,
     /// What rays start inside of, where they all start at one point.
     inside: Option<Inside>,
-    /// Of cameras whose samples are mostly the middles of pixels in a row, the projection.
-    rows: Option<&'w Perspective>,
+    /// The projection, where rays of samples near each other may travel together.
+    perspective: Option<&'w Perspective>,
+    /// Whether samples are mostly the middles of pixels in a row.
+    in_rows: bool,
 }
 
 /// An eye, and what it follows rays with.
@@ -122,15 +124,17 @@ impl<'w> Eye<'w> {
             let free = finite && world.geometry.is_free(&Hull::new(corners.into_iter().collect()));
             free.then_some(middle)
         });
-        let often =
-            matches!(&options.antialias, None | Some(Antialias { method: AntialiasMethod::Neighbours, .. }));
+        let in_rows =
+            matches!(&options.antialias, None | Some(Antialias { method: AntialiasMethod::Neighbours, .. }))
+                && options.sampling.is_none();
         let camera = &world.camera;
-        let rows = match &camera.projection {
-            Projection::Perspective(perspective) if often && options.sampling.is_none() => Some(perspective),
+        let simple = camera.blur.is_none() && camera.mesh.is_none() && camera.normal.is_none();
+        let perspective = match &camera.projection {
+            Projection::Perspective(perspective) if simple => Some(perspective),
             _ => None,
         };
-        let rows = rows.filter(|_| camera.blur.is_none() && camera.mesh.is_none() && camera.normal.is_none());
-        Self { world, options, rows, inside: eye.map(|point| Inside::of(world.interiors_around(point))) }
+        let inside = eye.map(|point| Inside::of(world.interiors_around(point)));
+        Self { world, options, perspective, in_rows, inside }
     }
 
     fn block(&self, block: &Region) -> (Vec<Sample>, Statistics) {
@@ -164,7 +168,7 @@ impl<'w> Eye<'w> {
         if let Some(blur) = &camera.blur {
             return self.through_lens(tracer, blur, x, y);
         }
-        if let Some(perspective) = self.rows
+        if let Some(perspective) = self.perspective.filter(|_| self.in_rows)
             && let Some(sample) = self.looked_ahead(tracer, perspective, x, y)
         {
             return sample;
