@@ -181,6 +181,21 @@ fn clips_of_compounds_cut_the_whole() {
     assert!(half.trace(v(1., 0., -5.), Z).is_none() && !half.inside(X));
 }
 
+/// Checks that rays from one point to another meet two objects at the same places; how many meet any.
+fn met_alike(both: &[Probe; 2], ways: impl Iterator<Item = [DVec3; 2]>) -> usize {
+    let mut hits = 0;
+    for [origin, to] in ways {
+        let [one, two] = [&both[0], &both[1]].map(|probe| probe.trace(origin, to - origin));
+        let (Some((p, n)), Some((q, m))) = (one, two) else {
+            assert_eq!(one, two, "from {origin} to {to}");
+            continue;
+        };
+        assert!(p.abs_diff_eq(q, 1e-12) && n.abs_diff_eq(m, 1e-11), "from {origin} to {to}: {p} {q}");
+        hits += 1;
+    }
+    hits
+}
+
 #[test]
 fn clips_cut_the_same_whatever_they_are_made_of() {
     let whole = cube(v(-0.6, -0.5, -2.), v(0.7, 0.4, 0.3));
@@ -190,18 +205,9 @@ fn clips_cut_the_same_whatever_they_are_made_of() {
     let spread = union([sphere(-0.3 * X, 0.6), bounded, plane(v(0., 0.3, 1.), 0.1), d1()]);
     let mut numbers = Numbers(5);
     for original in [d1(), mc(), cl(), spread, sphere(DVec3::ZERO, 0.9)] {
-        let [one, two] = [&whole, &halves].map(|clip| probe(&clipped(original.clone(), [clip.clone()])));
-        let mut hits = 0;
-        for _ in 0..1000 {
-            let (origin, to) = (3. * numbers.vector(), numbers.vector());
-            let [one, two] = [&one, &two].map(|probe| probe.trace(origin, to - origin));
-            let (Some((p, n)), Some((q, m))) = (one, two) else {
-                assert_eq!(one, two, "from {origin} to {to}");
-                continue;
-            };
-            assert!(p.abs_diff_eq(q, 1e-12) && n.abs_diff_eq(m, 1e-11), "from {origin} to {to}: {p} {q}");
-            hits += 1;
-        }
+        let both = [&whole, &halves].map(|clip| probe(&clipped(original.clone(), [clip.clone()])));
+        let ways = (0..1000).map(|_| [3. * numbers.vector(), numbers.vector()]);
+        let hits = met_alike(&both, ways);
         assert!(hits > 100, "{hits}");
     }
 }
@@ -216,23 +222,14 @@ fn planes_around_a_box_are_met_as_the_box_is() {
     let bored = intersection(planes().chain([inverse(hollow()), inverse(plane(Z, -0.7))]));
     for (of_planes, of_box) in [(solid, cuboid()), (bored, difference([cuboid(), hollow()]))] {
         for by in [Transform::IDENTITY, by] {
-            let [one, two] = [&of_planes, &of_box].map(|object| probe(&moved(object.clone(), by)));
+            let both = [&of_planes, &of_box].map(|object| probe(&moved(object.clone(), by)));
             let mut numbers = Numbers(7);
-            let mut hits = 0;
-            for turn in 0..2000 {
-                let (mut origin, mut to) = (2. * numbers.vector(), numbers.vector());
+            let ways = (0..2000).map(|turn| {
+                let (origin, to) = (2. * numbers.vector(), numbers.vector());
                 // Rays along axes are parallel to planes.
-                if turn % 4 == 0 {
-                    (origin, to) = (by.point(origin), by.point(origin.with_x(to.x)));
-                }
-                let [one, two] = [&one, &two].map(|probe| probe.trace(origin, to - origin));
-                let (Some((p, n)), Some((q, m))) = (one, two) else {
-                    assert_eq!(one, two, "from {origin} to {to}");
-                    continue;
-                };
-                assert!(p.abs_diff_eq(q, 1e-12) && n.abs_diff_eq(m, 1e-11), "from {origin} to {to}: {p} {q}");
-                hits += 1;
-            }
+                if turn % 4 == 0 { [by.point(origin), by.point(origin.with_x(to.x))] } else { [origin, to] }
+            });
+            let hits = met_alike(&both, ways);
             assert!(hits > 400, "{hits}");
         }
     }
