@@ -268,9 +268,13 @@ impl Curve {
         self.hull
     }
 
-    /// The ends of segments at which an odd number of them end.
-    pub(super) fn open_ends(&self) -> &[DVec2] {
-        &self.open_ends
+    /// Whether a box holds places to the left of where an odd number of segments end, at that height: beside them
+    /// other places are [enclosed](Self::encloses) though no segment parts them.
+    pub(super) fn is_open_within(&self, [one, other]: [DVec2; 2]) -> bool {
+        let (low, high) = (one.min(other), one.max(other));
+        // What is no number may be anywhere.
+        let is_beside = |end: &DVec2| end.y < low.y || end.y > high.y || end.x < low.x;
+        !self.open_ends.iter().all(is_beside)
     }
 
     /// Whether the curve crosses the line from `p` towards +x an odd number of times. A point where

@@ -1,9 +1,11 @@
 //! `height_field` (docs/spec/primitives.md 5.4).
 
+mod along;
+
 use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape};
 use crate::math::wide::widest;
-use crate::math::{Bounds, DVec3};
+use crate::math::{Band, Bounds, DVec3};
 use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
@@ -205,6 +207,11 @@ impl HeightField {
         );
     }
 
+    /// A corner's height where there is water over what lies lower.
+    fn height_over_water(&self, x: usize, z: usize) -> f64 {
+        (self.height(x, z) / FULL).max(self.water)
+    }
+
     /// A ray as the grid sees it.
     fn way(&self, ray: &Ray) -> Way {
         let scale = [(self.size[0] - 1) as f64, (self.size[1] - 1) as f64];
@@ -302,7 +309,7 @@ impl Shape for HeightField {
         }
         let (cell_x, cell_z) = (x as usize, z as usize);
         let (u, v) = (x.fract(), z.fract());
-        let height = |x: usize, z: usize| (self.height(x, z) / FULL).max(self.water);
+        let height = |x: usize, z: usize| self.height_over_water(x, z);
         let (across, along) = (height(cell_x + 1, cell_z), height(cell_x, cell_z + 1));
         let surface = if u + v < 1.0 {
             let near = height(cell_x, cell_z);
@@ -312,6 +319,10 @@ impl Shape for HeightField {
             far + (1.0 - u) * (along - far) + (1.0 - v) * (across - far)
         };
         point.y < surface
+    }
+
+    fn inside_along(&self, point: &[Band; 3]) -> Band {
+        self.inside_of_grid(point)
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

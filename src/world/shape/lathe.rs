@@ -239,10 +239,13 @@ impl Shape for Lathe {
     }
 
     fn inside_along(&self, point: &[Band; 3]) -> Band {
-        match self.profile.open_ends().iter().all(|end| end.x == 0.0) {
-            true => uncrossed::inside_along(self, point),
-            false => Band::between(0.0, 1.0),
-        }
+        // From the axis outward, however near; ends on the axis itself leave nothing open.
+        let off_axis = |y: f64| DVec2::new(f64::MIN_POSITIVE, y);
+        let leaves_unseen = |ray: &Ray, range: Range| {
+            self.profile.is_open_within([range.min, range.max].map(|t| off_axis(ray.at(t).y)))
+        };
+        let passes = |ray: &Ray, range| self.occludes(ray, range) || leaves_unseen(ray, range);
+        uncrossed::inside_unless(self, passes, point)
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

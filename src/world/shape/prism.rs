@@ -117,7 +117,13 @@ impl Prism {
     /// Whether the end that a ray meets is there.
     #[inline(always)]
     fn has_end(&self, ray: &Ray, end: End) -> bool {
-        if self.open || !end.t.is_finite() {
+        !self.open && self.ends_at(ray, end)
+    }
+
+    /// Whether the inside ends at the end that a ray meets.
+    #[inline(always)]
+    fn ends_at(&self, ray: &Ray, end: End) -> bool {
+        if !end.t.is_finite() {
             return false;
         }
         let mut point = ray.at(end.t);
@@ -149,6 +155,28 @@ impl Prism {
             any && nearest.is_some()
         });
         nearest.or_else(|| is_met(slab.leave).then(|| Crossing::new(slab.leave.t + shift, slab.leave.part)))
+    }
+
+    /// Whether a part of a ray may come into the inside, or leave it, where there is no surface.
+    fn leaves_unseen(&self, ray: &Ray, range: Range) -> bool {
+        let [from, to] = [ray.at(range.min), ray.at(range.max)];
+        let [bottom, top] = self.heights;
+        // Beyond the apex everything is turned round.
+        let turns = self.conic && from.y.min(to.y) <= 0.0 && from.y.max(to.y) >= 0.0;
+        let within = !(from.y.max(to.y) < bottom || from.y.min(to.y) > top);
+        if within
+            && self.outline.is_open_within(match turns {
+                true => [DVec2::NEG_INFINITY, DVec2::INFINITY],
+                false => [self.place(from), self.place(to)],
+            })
+        {
+            return true;
+        }
+        let Some(slab) = Stretch::slab((bottom, 0), (top, 1), ray.origin.y, ray.direction.y) else {
+            return false;
+        };
+        let leaves = |end: End| range.contains(end.t) && self.ends_at(ray, end);
+        self.open && (leaves(slab.enter) || leaves(slab.leave))
     }
 
     fn center(&self) -> DVec3 {
@@ -218,10 +246,8 @@ impl Shape for Prism {
     }
 
     fn inside_along(&self, point: &[Band; 3]) -> Band {
-        match !self.open && self.outline.open_ends().is_empty() {
-            true => uncrossed::inside_along(self, point),
-            false => Band::between(0.0, 1.0),
-        }
+        let passes = |ray: &Ray, range| self.occludes(ray, range) || self.leaves_unseen(ray, range);
+        uncrossed::inside_unless(self, passes, point)
     }
 
     /// Walls point to the right of the direction in which their outline runs, seen with z upward.

@@ -191,7 +191,12 @@ impl Sor {
 
     /// Whether an end that the ray meets is there.
     fn has_end(&self, ray: &Ray, end: End) -> bool {
-        if !end.t.is_finite() || self.open {
+        !self.open && self.ends_at(ray, end)
+    }
+
+    /// Whether the inside ends at an end that the ray meets.
+    fn ends_at(&self, ray: &Ray, end: End) -> bool {
+        if !end.t.is_finite() {
             return false;
         }
         let p = ray.at(end.t);
@@ -296,10 +301,14 @@ impl Shape for Sor {
     }
 
     fn inside_along(&self, point: &[Band; 3]) -> Band {
-        match !self.open {
-            true => uncrossed::inside_along(self, point),
-            false => Band::between(0.0, 1.0),
-        }
+        let leaves_unseen = |ray: &Ray, range: Range| {
+            let (low, high) = (self.bounds.min.y, self.bounds.max.y);
+            let slab = Stretch::slab((low, 0), (high, 1), ray.origin.y, ray.direction.y);
+            let leaves = |end: End| range.contains(end.t) && self.ends_at(ray, end);
+            self.open && slab.is_some_and(|slab| leaves(slab.enter) || leaves(slab.leave))
+        };
+        let passes = |ray: &Ray, range| self.occludes(ray, range) || leaves_unseen(ray, range);
+        uncrossed::inside_unless(self, passes, point)
     }
 
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {

@@ -14,6 +14,15 @@ const BEYOND: f64 = 1e-6;
 /// What holds whether points are inside a shape all of whose border is surface: where nothing is crossed on the way
 /// between them, all are if one is.
 pub(super) fn inside_along(shape: &(impl Shape + ?Sized), point: &[Band; 3]) -> Band {
+    inside_unless(shape, |ray, range| shape.occludes(ray, range), point)
+}
+
+/// The same where `passes` tells whether a part of a ray comes through the border of the inside, or perhaps does.
+pub(super) fn inside_unless(
+    shape: &(impl Shape + ?Sized),
+    passes: impl Fn(&Ray, Range) -> bool,
+    point: &[Band; 3],
+) -> Band {
     let numbers = |of: &dyn Fn(&Band) -> f64| DVec3::from_array(point.each_ref().map(of));
     let mut low = Lanes::ZERO;
     let mut high = Lanes::splat(1.0);
@@ -29,7 +38,7 @@ pub(super) fn inside_along(shape: &(impl Shape + ?Sized), point: &[Band; 3]) -> 
             continue;
         }
         let range = Range { min: -1.0 - BEYOND, max: 1.0 + BEYOND };
-        if !shape.occludes(&Ray::new(middle, along), range) {
+        if !passes(&Ray::new(middle, along), range) {
             let inside = f64::from(shape.inside(middle));
             (low.0[lane], high.0[lane]) = (inside, inside);
         }

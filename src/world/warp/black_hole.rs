@@ -45,13 +45,16 @@ impl BlackHole {
         if self.inverse { p - d * pull } else { p + d * pull }
     }
 
+    /// The most that the strength is multiplied with: towards the end of a hole that falls off backwards it grows
+    /// without bounds, but no distance that isn't the radius is nearer to it than what numbers part.
+    fn greatest_share(&self) -> f64 {
+        (0.5 * f64::EPSILON).powf(self.falloff.min(0.0))
+    }
+
     /// How strong the pull may be at the hole's end, where it stops at once unless it has fallen off before.
     fn rim(&self) -> Band {
-        match self.falloff {
-            0.0 => Band::between(self.strength.min(0.0), self.strength.clamp(0.0, 1.0)),
-            _ if self.strength >= 0.0 => Band::between(0.0, 1.0),
-            _ => Band::UNKNOWN,
-        }
+        let greatest = self.strength * self.greatest_share();
+        Band::between(greatest.min(0.0), greatest.clamp(0.0, 1.0))
     }
 
     /// What holds the places of all points that these hold.
@@ -92,13 +95,8 @@ impl BlackHole {
         };
         let pull = if self.inverse { -pull } else { pull };
         // In several blocks at once: as far as the strongest of all pulls.
-        let any = match self.falloff < 0.0 && self.strength < 0.0 {
-            true => Band::UNKNOWN,
-            false => {
-                let farthest = self.radius * self.strength.abs().max(1.0);
-                Band::between(-farthest, farthest)
-            }
-        };
+        let farthest = self.radius * (self.strength * self.greatest_share()).min(1.0).abs().max(1.0);
+        let any = Band::between(-farthest, farthest);
         let many = blocks.iter().fold(Lanes::ZERO, |many, (low, high)| many + (*high - *low).abs());
         [0, 1, 2].map(|k| (p[k] + any).where_positive(many, p[k] + d[k] * pull))
     }

@@ -276,6 +276,7 @@ fn bands_go_through_warps() {
         turbulence: DVec3::splat(0.2),
         ..hole.clone()
     };
+    let backwards = BlackHole { falloff: -0.4, strength: -0.5, ..holes.clone() };
     let mapping = |projection: Projection, orientation: DVec3, dist_exp: f64| {
         Warp::Mapping(Box::new(Mapping { projection, orientation, dist_exp }))
     };
@@ -284,6 +285,7 @@ fn bands_go_through_warps() {
         repeat([0.0, -0.9, 0.0], [0.0; 3], [1.0, 1.0, 0.0]),
         Warp::BlackHole(Box::new(hole)),
         Warp::BlackHole(Box::new(holes)),
+        Warp::BlackHole(Box::new(backwards)),
         mapping(Projection::Cylindrical, DVec3::Z, 0.0),
         mapping(Projection::Cylindrical, DVec3::X, 1.0),
         mapping(Projection::Spherical, DVec3::Z, 0.0),
