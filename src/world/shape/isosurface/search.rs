@@ -81,6 +81,12 @@ const STEEPER: f64 = 1.1;
 /// Shares of the way that is passed over behind a surface, for the shortest that is enough to be off it.
 const SHARES: [f64; Lanes::COUNT] = [1.0, 1.0 / 16.0, 1.0 / 256.0, 1.0 / 4096.0];
 
+/// Units in the last place that the coordinates of a point on the surface may be off.
+const BLUR: f64 = 64.0;
+
+/// The share of the rounding that bands allow for which values may have: every operation of theirs stands for some.
+const OWN_ROUNDING: f64 = 0.25;
+
 /// See [`Search::rough`].
 const ROUGH: f64 = 1.0 / 256.0;
 
@@ -147,7 +153,43 @@ impl Search<'_> {
             };
             first = Some(first.filter(|first| first.0 <= found.0).unwrap_or(found));
         }
-        first
+        let shortest = 2.0 * halves.0[Lanes::COUNT - 1];
+        let sure = first.map_or(most, |(place, _)| place - at);
+        if sure <= shortest { first } else { self.lifted(at, [shortest, sure]).or(first) }
+    }
+
+    /// The first of some places between two distances behind `at`, on the surface, where the value is more than that of
+    /// a point on the surface as far as it is known, and whether it is below.
+    ///
+    /// Bands allow for more rounding than there is, so that beyond a ray that all but touches the surface the first
+    /// place that they are sure of may be behind another surface.
+    fn lifted(&self, at: f64, [nearest, farthest]: [f64; 2]) -> Option<(f64, bool)> {
+        let threshold = self.blur(self.origin + at * self.direction, nearest);
+        let mut away = nearest;
+        while away < farthest {
+            let value = self.value(at + away);
+            if value.abs() > threshold {
+                return Some((at + away, value < 0.0));
+            }
+            away *= 2.0;
+        }
+        None
+    }
+
+    /// The value that a point on the surface may have: its own coordinates are rounded, and so is what is made of
+    /// them. `step` is a short length.
+    fn blur(&self, point: DVec3, step: f64) -> f64 {
+        let along = |axis: usize| {
+            let mut along = Lanes::ZERO;
+            along.0[axis] = step;
+            Band::line(Lanes::splat(point[axis]), along)
+        };
+        // A stretch along each axis, and the point itself.
+        let band = self.surface.function.enclose(&[along(0), along(1), along(2)]);
+        let [x, y, z, _] = band.slope.0;
+        let gradient = DVec3::new(x, y, z).length() / step;
+        let own = OWN_ROUNDING * band.reach.0[3];
+        own.max(BLUR * f64::EPSILON * gradient * point.abs().max_element())
     }
 
     /// The function over stretches of the ray, each with its middle and half its length.
