@@ -73,16 +73,21 @@ impl Most {
         Self { escape, excess: Band::constant(-escape) }
     }
 
+    /// Where numbers are spread wide or have become none at all: anything from the excess so far up to 1.
+    #[cold]
+    fn any(&self) -> Band {
+        let (low, one) = (self.excess.low(), Lanes::splat(1.0));
+        let least = low.zip(Lanes::splat(-self.escape), f64::max).zip(one, f64::min);
+        Band::within(least, one)
+    }
+
     /// Takes the square of a distance; whether all have escaped for good.
     #[inline(always)]
     fn meets(&mut self, square: Band) -> bool {
         let excess = square - self.escape;
         let most = self.excess.max(excess).min(ONE);
-        // Where numbers are spread wide or have become none at all: anything from the excess so far up to 1.
-        let (low, one) = (self.excess.low(), Lanes::splat(1.0));
-        let least = low.zip(Lanes::splat(-self.escape), f64::max).zip(one, f64::min);
-        let any = Band::within(least, one);
-        let useful = most.where_positive(-excess.spread() + WIDE, any);
+        let narrow = -excess.spread() + WIDE;
+        let useful = if narrow.all_positive() { most } else { most.where_positive(narrow, self.any()) };
         // What has escaped for good stays so.
         let gone = self.excess.low() - 1.0 + f64::EPSILON * 16.0;
         self.excess = ONE.where_positive(gone, useful);
