@@ -121,42 +121,69 @@ pub(crate) fn isolate<S: Scalar>(
 const LIMITS: [Limits; 2] =
     [Limits { least: 1e-9, most: 300, anew: false }, Limits { least: 1e-20, most: 3000, anew: true }];
 
-/// All zeros in a range.
-pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
-    let (mut out, mut doubts) = (Zeros::default(), Vec::<Interval<Double>>::new());
-    let mut ones = Vec::new();
-    let scale = high - low;
-    let [rough, fine] = LIMITS.map(|limits| Limits { least: limits.least * scale, ..limits });
-    f.rough_cells(Interval { low, high }, rough, &mut |cell| match cell {
-        Cell::One { part, rising } => {
-            let Interval { low, high } = refined(|t| f.rough(t), part, rising, 0.0);
-            ones.push((Interval { low: Double::of(low), high: Double::of(high) }, rising));
+/// What doubles tell of the zeros in a range, of a function and of all others that its rounding hides.
+pub(crate) struct Cells {
+    /// Parts with one zero each, and whether the function rises there.
+    ones: Vec<(Interval<Double>, bool)>,
+    doubts: Vec<Interval<Double>>,
+    /// The length of the range.
+    scale: f64,
+}
+
+impl Cells {
+    pub(crate) fn new(f: &impl Along, low: f64, high: f64) -> Self {
+        let mut out = Self { ones: Vec::new(), doubts: Vec::new(), scale: high - low };
+        let rough = Limits { least: LIMITS[0].least * out.scale, ..LIMITS[0] };
+        f.rough_cells(Interval { low, high }, rough, &mut |cell| match cell {
+            Cell::One { part, rising } => {
+                let Interval { low, high } = refined(|t| f.rough(t), part, rising, 0.0);
+                out.ones.push((Interval { low: Double::of(low), high: Double::of(high) }, rising));
+            }
+            Cell::Doubt(part) => {
+                let (low, high) = (Double::of(part.low), Double::of(part.high));
+                match out.doubts.last_mut().filter(|last| last.high == low) {
+                    Some(last) => last.high = high,
+                    None => out.doubts.push(Interval { low, high }),
+                }
+            }
+        });
+        out
+    }
+
+    /// All zeros, of one of the functions: to the last digit, or only as far as it takes to tell whether they count.
+    pub(crate) fn zeros(&self, f: &impl Along, exactly: bool) -> Zeros {
+        let mut out = Zeros { close: !self.doubts.is_empty(), ..Zeros::default() };
+        let mut ones = self.ones.clone();
+        let fine = Limits { least: LIMITS[1].least * self.scale, ..LIMITS[1] };
+        for doubt in &self.doubts {
+            f.fine_cells(*doubt, fine, &mut |cell| match cell {
+                Cell::One { part, rising } => ones.push((part, rising)),
+                Cell::Doubt(part) => out.doubtful.push(part.middle().to_f64()),
+            });
         }
-        Cell::Doubt(part) => {
-            let (low, high) = (Double::of(part.low), Double::of(part.high));
-            match doubts.last_mut().filter(|last| last.high == low) {
-                Some(last) => last.high = high,
-                None => doubts.push(Interval { low, high }),
+        for (one, rising) in ones {
+            let refine = || {
+                let near = refined(|t| f.fine(t), one, rising, FINE_ENOUGH * self.scale);
+                (near, f.counts(near))
+            };
+            let (near, counts) = match exactly {
+                true => refine(),
+                false => f.counts(one).map_or_else(refine, |counts| (one, Some(counts))),
+            };
+            match counts {
+                Some(true) => out.at.push(near.middle()),
+                Some(false) => {}
+                None => out.doubtful.push(near.middle().to_f64()),
             }
         }
-    });
-    out.close = !doubts.is_empty();
-    for doubt in doubts {
-        f.fine_cells(doubt, fine, &mut |cell| match cell {
-            Cell::One { part, rising } => ones.push((part, rising)),
-            Cell::Doubt(part) => out.doubtful.push(part.middle().to_f64()),
-        });
+        out.at.sort_by(|a, b| a.partial_cmp(b).expect("zeros are numbers"));
+        out
     }
-    for (one, rising) in ones {
-        let near = refined(|t| f.fine(t), one, rising, FINE_ENOUGH * scale);
-        match f.counts(near) {
-            Some(true) => out.at.push(near.middle()),
-            Some(false) => {}
-            None => out.doubtful.push(near.middle().to_f64()),
-        }
-    }
-    out.at.sort_by(|a, b| a.partial_cmp(b).expect("zeros are numbers"));
-    out
+}
+
+/// All zeros in a range.
+pub(crate) fn zeros(f: &impl Along, low: f64, high: f64) -> Zeros {
+    Cells::new(f, low, high).zeros(f, true)
 }
 
 /// The share of a range that zeros are known to.

@@ -53,9 +53,9 @@ const FAR_OFF: f64 = 1000.0;
 
 /// Subjects that have fewer, and why.
 const FEWER: [(u64, &[&str], &str); 1] = [(
-    1000,
-    &["julia.cube", "julia.hypercomplex", "julia.square"],
-    "as double-double arithmetic takes about a millisecond to prove what one of them meets",
+    5000,
+    &["julia.cube", "julia.hypercomplex"],
+    "as it takes two milliseconds to find what one of them meets and to prove it",
 )];
 
 /// Rays to a scale, where that was told by hand.

@@ -3,7 +3,7 @@
 use povista::math::DVec3;
 use povista::world::Ray;
 
-use crate::certify::{Along, Cell, Limits, Zeros, isolate, zeros};
+use crate::certify::{Along, Cell, Cells, Limits, Zeros, isolate};
 use crate::double::Double;
 use crate::form::{self, Form};
 use crate::interval::{Interval, Scalar};
@@ -42,6 +42,12 @@ pub(crate) trait Subject: Sync {
 
     /// All crossings of a line within a little more than the reach.
     fn meet(&self, line: &Line) -> Meeting;
+
+    /// All crossings of a line moved aside by no more than its room, with what is known of it: their distances may be
+    /// rough.
+    fn meet_beside(&self, line: &Line, _known: &Meeting, by: DVec3) -> Meeting {
+        self.meet(&line.moved(by))
+    }
 
     /// A function that is zero on the surface: its sensitivity to the inputs and its gradient at a crossing.
     fn sensitivity(&self, line: &Line, at: &Exact) -> Moved;
@@ -190,9 +196,17 @@ pub(crate) struct Meeting {
     pub(crate) doubtful: Vec<f64>,
     /// Whether a change of the ray by four units in the last place may change the count.
     pub(crate) close: bool,
+    /// Where on each piece crossings are of this line and all others within its room.
+    cells: Vec<(usize, Cells)>,
 }
 
 impl Meeting {
+    fn add(&mut self, piece: usize, Zeros { at, doubtful, close }: Zeros) {
+        self.crossings.extend(at.into_iter().map(|t| Exact { t, piece, w: Double::of(0.0) }));
+        self.doubtful.extend(doubtful);
+        self.close |= close;
+    }
+
     pub(crate) fn sorted(mut self) -> Self {
         self.crossings.sort_by(|a, b| a.t.partial_cmp(&b.t).expect("crossings are at numbers"));
         self
@@ -229,10 +243,19 @@ impl<M: Model> Subject for M {
                 // Never through the middle, where symmetric shapes have their roots.
                 (low, high) = ((middle - chord) / speed, (middle + 1.03 * chord) / speed);
             }
-            let Zeros { at, doubtful, close } = zeros(&Piece { model: self, number, line }, low, high);
-            out.crossings.extend(at.into_iter().map(|t| Exact { t, piece: number, w: Double::of(0.0) }));
-            out.doubtful.extend(doubtful);
-            out.close |= close;
+            let piece = Piece { model: self, number, line };
+            let cells = Cells::new(&piece, low, high);
+            out.add(number, cells.zeros(&piece, true));
+            out.cells.push((number, cells));
+        }
+        out.sorted()
+    }
+
+    fn meet_beside(&self, line: &Line, known: &Meeting, by: DVec3) -> Meeting {
+        let (mut out, line) = (Meeting::default(), &line.moved(by));
+        for (number, cells) in &known.cells {
+            let piece = Piece { model: self, number: *number, line };
+            out.add(*number, cells.zeros(&piece, false));
         }
         out.sorted()
     }

@@ -221,6 +221,14 @@ impl<M: Subject> Target<'_, M> {
         let aside = aside.flat_map(|to| [to, -to]).map(|to| to * line.room);
         let onto = hits.iter().flat_map(|t| self.model.moves_onto(line, Double::of(*t)));
         aside.chain(onto.filter(|by| by.length() <= line.room)).any(|by| {
+            let changes = |moved: &Meeting| {
+                !moved.doubtful.is_empty() || moved.crossings.len() != exact.crossings.len()
+            };
+            let beside = self.model.meet_beside(line, exact, by);
+            let elsewhere = |(one, other): (&Exact, &Exact)| one.piece != other.piece;
+            if changes(&beside) || !exact.crossings.iter().zip(&beside.crossings).any(elsewhere) {
+                return changes(&beside);
+            }
             let moved = self.model.meet(&line.moved(by));
             let leaps = |(one, other): (&Exact, &Exact)| {
                 one.piece != other.piece && {
@@ -229,9 +237,7 @@ impl<M: Subject> Target<'_, M> {
                     away > LEAP * unit(line, &moved, one.t.to_f64() + line.shift)
                 }
             };
-            !moved.doubtful.is_empty()
-                || moved.crossings.len() != exact.crossings.len()
-                || exact.crossings.iter().zip(&moved.crossings).any(leaps)
+            changes(&moved) || exact.crossings.iter().zip(&moved.crossings).any(leaps)
         })
     }
 }
