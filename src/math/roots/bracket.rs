@@ -5,7 +5,7 @@
 ///
 /// Newton's method, with bisection where it would leave the bracket or does not halve its step.
 #[inline(always)]
-pub(super) fn newton(from: (f64, f64), to: (f64, f64), value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
+pub fn newton(from: (f64, f64), to: (f64, f64), value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     if from.1 == 0.0 || to.1 == 0.0 || (from.1 < 0.0) == (to.1 < 0.0) {
         return None;
     }

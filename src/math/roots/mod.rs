@@ -8,7 +8,7 @@ mod descartes;
 mod polynomial;
 mod unbounded;
 
-pub use bracket::between;
+pub use bracket::{between, newton};
 pub use descartes::{Search, any_between, any_told_apart, each_told_apart};
 pub use polynomial::{Roots, bracketed, each_root, roots_between};
 

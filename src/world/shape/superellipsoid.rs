@@ -1,5 +1,10 @@
 //! `superellipsoid { <east-west, north-south> }` (docs/spec/primitives.md 3.10).
 
+mod pieces;
+
+use std::ops::ControlFlow;
+
+use self::pieces::Pieces;
 use super::stretch::Stretch;
 use super::{Crossing, Shape, uncrossed};
 use crate::math::{Band, Bounds, DVec3};
@@ -94,34 +99,20 @@ impl Superellipsoid {
         Some(t)
     }
 
-    /// Crossings between `low` and `high` of a shape that isn't convex: the coordinate planes part the
-    /// ray, and each part is searched in steps.
-    fn search(&self, ray: &Ray, low: f64, high: f64, found: &mut impl FnMut(f64)) {
-        const PARTS: u32 = 32;
-        let (o, d) = (ray.origin, ray.direction);
-        let planes =
-            [-o.x / d.x, -o.y / d.y, -o.z / d.z, (o.y - o.x) / (d.x - d.y), -(o.y + o.x) / (d.x + d.y)];
-        let mut cuts: Vec<f64> = planes.into_iter().filter(|t| low < *t && *t < high).collect();
-        cuts.extend([low, high]);
-        cuts.sort_by(f64::total_cmp);
-        let value = |t: f64| self.value(ray.at(t)).0;
-        let mut before = (low, value(low));
-        for cut in cuts.windows(2) {
-            for part in 1..=PARTS {
-                let t = cut[0] + (cut[1] - cut[0]) * f64::from(part) / f64::from(PARTS);
-                let now = (t, value(t));
-                if (before.1 > 0.0) != (now.1 > 0.0) {
-                    found(bisect(before, now, value));
-                }
-                before = now;
-            }
-        }
-    }
-
     fn stretch(&self, ray: &Ray, low: f64, high: f64) -> Option<Stretch> {
         let enter = self.approach(ray, low, high, 1.0)?;
         let leave = self.approach(ray, high, enter, -1.0).unwrap_or(enter);
         Stretch::new(enter, 0, leave, 0)
+    }
+
+    /// Calls back with the crossings in a range of what isn't convex, in ascending order, until that breaks off.
+    fn each_apart(&self, ray: &Ray, range: Range, found: &mut dyn FnMut(Crossing) -> ControlFlow<()>) {
+        let (shift, ray) = ray.moved_to(DVec3::ZERO);
+        let pieces = Pieces::new(self, &ray, [range.min - shift, range.max - shift]);
+        let _: ControlFlow<()> = pieces.each(&mut |t| {
+            let t = t + shift;
+            if range.contains(t) { found(Crossing::new(t, 0)) } else { ControlFlow::Continue(()) }
+        });
     }
 
     /// The ray from where it is nearest to the middle, and the part of it in the box around.
@@ -156,22 +147,6 @@ fn sign(x: f64) -> f64 {
     if x < 0.0 { -1.0 } else { 1.0 }
 }
 
-fn bisect(mut from: (f64, f64), to: (f64, f64), value: impl Fn(f64) -> f64) -> f64 {
-    let mut end = to.0;
-    loop {
-        let middle = 0.5 * (from.0 + end);
-        if middle == from.0 || middle == end {
-            return middle;
-        }
-        let now = value(middle);
-        if (now > 0.0) == (from.1 > 0.0) {
-            from = (middle, now);
-        } else {
-            end = middle;
-        }
-    }
-}
-
 impl Shape for Superellipsoid {
     fn bounds(&self) -> Bounds {
         Bounds::new(DVec3::NEG_ONE, DVec3::ONE)
@@ -184,19 +159,16 @@ impl Shape for Superellipsoid {
     }
 
     fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
-        let Some((shift, ray, low, high)) = Self::clipped(ray) else {
-            return;
-        };
         if self.is_convex() {
+            let Some((shift, ray, low, high)) = Self::clipped(ray) else { return };
             if let Some(stretch) = self.stretch(&ray, low, high) {
                 stretch.shifted(shift).push(range, out);
             }
             return;
         }
-        self.search(&ray, low, high, &mut |t| {
-            if range.contains(t + shift) {
-                out.push(Crossing::new(t + shift, 0));
-            }
+        self.each_apart(ray, range, &mut |crossing| {
+            out.push(crossing);
+            ControlFlow::Continue(())
         });
     }
 
@@ -218,9 +190,12 @@ impl Shape for Superellipsoid {
             let leave = self.approach(&ray, high, enter, -1.0).unwrap_or(enter) + shift;
             return range.contains(leave).then(|| Crossing::new(leave, 0));
         }
-        let mut all = Vec::new();
-        self.crossings(ray, range, &mut all);
-        all.first().copied()
+        let mut nearest = None;
+        self.each_apart(ray, range, &mut |crossing| {
+            nearest = Some(crossing);
+            ControlFlow::Break(())
+        });
+        nearest
     }
 
     fn inside(&self, point: DVec3) -> bool {
@@ -264,6 +239,9 @@ mod tests {
         octahedron: || make(2.0, 2.0);
         pillow: || make(0.25, 1.7);
         star: || make(3.0, 1.0);
+        spindle: || make(0.3, 3.0);
+        sharp_star: || make(3.0, 3.0);
+        pinched_box: || make(3.0, 0.3);
     }
 
     #[test]

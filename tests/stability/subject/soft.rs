@@ -153,3 +153,18 @@ fn superellipsoid() {
 fn pointed_superellipsoid() {
     shoot_at("superellipsoid.pointed", superellipsoid_of(1.5, 1.25));
 }
+
+#[test]
+fn star_shaped_superellipsoid() {
+    shoot_at("superellipsoid.star", superellipsoid_of(3.0, 2.5));
+}
+
+#[test]
+fn waisted_superellipsoid() {
+    shoot_at("superellipsoid.waisted", superellipsoid_of(3.0, 0.5));
+}
+
+#[test]
+fn spindle_shaped_superellipsoid() {
+    shoot_at("superellipsoid.spindle", superellipsoid_of(0.5, 3.0));
+}
