@@ -102,15 +102,26 @@ impl Prism {
         );
     }
 
-    /// A box in the outline's plane around the part of the ray between two distances, seen along y.
+    /// A box in the outline's plane around the part of the ray between two distances, seen along y or from the apex.
     #[inline(always)]
     fn shadow(&self, ray: &Ray, [from, to]: [f64; 2]) -> [DVec2; 2] {
-        let (one, other) = (flat(ray.at(from)), flat(ray.at(to)));
-        if self.conic || !one.is_finite() || !other.is_finite() {
-            return [DVec2::NEG_INFINITY, DVec2::INFINITY];
-        }
+        let everywhere = [DVec2::NEG_INFINITY, DVec2::INFINITY];
+        let (from, to) = (ray.at(from), ray.at(to));
         let [low, high] = self.outline.hull();
-        let room = BESIDE * (high - low + low.abs() + one.abs().max(other.abs()));
+        let mut room = high - low + low.abs();
+        if self.conic {
+            // What is seen from the apex is straight unless it goes past it.
+            let height = from.y.min(to.y).max(-from.y.max(to.y));
+            if height <= 0.0 {
+                return everywhere;
+            }
+            room += ray.origin.abs().max(from.abs()).max(to.abs()).max_element() / height;
+        }
+        let (one, other) = (self.place(from), self.place(to));
+        if !one.is_finite() || !other.is_finite() || !room.is_finite() {
+            return everywhere;
+        }
+        let room = BESIDE * (room + one.abs().max(other.abs()));
         [one.min(other) - room, one.max(other) + room]
     }
 
