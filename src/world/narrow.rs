@@ -1,7 +1,8 @@
 //! Boxes around what planes and quadrics have in common, none of which has a box of its own.
 
+use super::extent::half_space;
 use super::object::{Leaf, LeafFlags};
-use super::shape::Primitive;
+use super::shape::{Primitive, Shape};
 use crate::math::{Bounds, DMat3, DVec3, Transform};
 
 /// Sums of normals that miss an axis by less than this, relative to their length, are the axis.
@@ -55,6 +56,29 @@ pub fn common<'a>(leaves: impl Iterator<Item = &'a Leaf> + Clone, known: Bounds)
         let inner: Vec<HalfSpace> = half_spaces.iter().map(|half| half.seen_from(place)).collect();
         let within = around(&inner).intersection(bounds.transformed(&place.inverted()));
         bounds = bounds.intersection(quadric.narrowed(within).transformed(place));
+    }
+    if bounds.is_empty() { known } else { bounds }
+}
+
+/// A box around what all the leaves have in common, given one that is known: each leaf's own box, cut by the planes that
+/// run along its faces.
+pub fn cut<'a>(leaves: impl Iterator<Item = &'a Leaf> + Clone, known: Bounds) -> Bounds {
+    let half_spaces: Vec<HalfSpace> = leaves.clone().filter_map(HalfSpace::of).take(MOST_PLANES).collect();
+    let mut bounds = known;
+    if half_spaces.is_empty() || known.is_empty() {
+        return known;
+    }
+    for leaf in leaves.filter(|leaf| !leaf.flags.intersects(LeafFlags::INVERTED | LeafFlags::BEYOND)) {
+        let (Some(place), own) = (&leaf.transform, leaf.primitive.bounds()) else { continue };
+        if !own.is_finite() {
+            continue;
+        }
+        let inner = half_spaces.iter().map(|half| half.seen_from(place));
+        let planes = inner.map(|half| half_space(half.normal, half.distance, None, STRAY));
+        let room = ROOM * own.size().max_element().max(own.max.abs().max(own.min.abs()).max_element());
+        let planes = planes.map(|Bounds { min, max }| Bounds { min: min - room, max: max + room });
+        let within = planes.fold(own, Bounds::intersection);
+        bounds = bounds.intersection(within.transformed(place));
     }
     if bounds.is_empty() { known } else { bounds }
 }

@@ -83,7 +83,7 @@ impl Group {
                 Member::Leaf(number) => Some(parts.leaf(number)),
                 Member::Group(_) => None,
             });
-            extent.bounds = narrow::common(leaves, extent.bounds);
+            extent.bounds = narrow::cut(leaves.clone(), narrow::common(leaves, extent.bounds));
         }
         let is_finite = |member: Member| parts.extent(member).bounds.is_finite();
         let decides = |member: Member| parts.extent(member).beyond == operation.decisive();
