@@ -5,9 +5,9 @@ mod along;
 use std::cell::RefCell;
 use std::sync::LazyLock;
 
-use crate::math::DVec3;
 use crate::math::noise::{EPSILON, cell_point, noise, vector_noise};
 use crate::math::wide::widest;
+use crate::math::{DVec3, Lanes};
 
 /// `crackle`.
 #[derive(Clone, Copy, Debug)]
@@ -194,20 +194,39 @@ struct Seeds {
     z: [f64; PLACES],
 }
 
+/// How many cells' seeds are kept.
+const KEPT: usize = 512;
+
+/// The seeds around the cells last asked for: the next point is mostly in the same cell or in one beside, and where
+/// samples go to and fro along rays, or several crackles are asked in turn, in one of many.
+struct Kept(Vec<Option<Seeds>>);
+
 thread_local! {
-    /// Those around the last points asked for, one cell of two along each axis: the next point is mostly in
-    /// the same cell, or in one beside.
-    static SEEDS: RefCell<[Option<Seeds>; 8]> = const { RefCell::new([const { None }; 8]) };
+    static SEEDS: RefCell<Kept> = const { RefCell::new(Kept(Vec::new())) };
 }
 
-/// The seeds around a cell, from those known or made and kept among them.
-#[inline(always)]
-fn seeds_around(known: &mut [Option<Seeds>; 8], cell: [i32; 3]) -> &Seeds {
-    let place = &mut known[(cell[0] & 1 | (cell[1] & 1) << 1 | (cell[2] & 1) << 2) as usize];
-    if place.as_ref().is_some_and(|seeds| seeds.cell != cell) {
-        *place = None;
+impl Kept {
+    /// The seeds around a cell, known or made.
+    #[inline(always)]
+    fn around(&mut self, cell: [i32; 3]) -> &Seeds {
+        if self.0.is_empty() {
+            self.0.resize_with(KEPT, || None);
+        }
+        let place = &mut self.0[Self::place(cell)];
+        if place.as_ref().is_some_and(|seeds| seeds.cell != cell) {
+            *place = None;
+        }
+        place.get_or_insert_with(|| Seeds::of(cell))
     }
-    place.get_or_insert_with(|| Seeds::of(cell))
+
+    /// Where a cell's seeds are: four cells along each axis have places of their own, those farther away other ones
+    /// mostly.
+    #[inline(always)]
+    fn place([x, y, z]: [i32; 3]) -> usize {
+        let near = x & 3 | (y & 3) << 2 | (z & 3) << 4;
+        let far = (x >> 2).wrapping_mul(3) ^ (y >> 2).wrapping_mul(5) ^ (z >> 2).wrapping_mul(7);
+        ((far << 6 | near) as u32 as usize) % KEPT
+    }
 }
 
 impl Seeds {
@@ -220,14 +239,21 @@ impl Seeds {
         seeds
     }
 
-    /// The three nearest to a point.
+    /// The sums of those nearest to a point, in order, as many as are `counting`, and the seed of the least for a
+    /// `solid`.
     #[inline(always)]
-    fn nearest(&self, p: DVec3, metric: Metric) -> Nearest {
-        let mut nearest = Nearest { sums: [f64::INFINITY; 3], seed: DVec3::ZERO };
-        for (place, &sum) in self.sums(p, metric).iter().enumerate().take(ADJACENT) {
-            if sum < nearest.sums[2] {
-                nearest.meet(self.at(place), sum);
-            }
+    fn nearest(&self, p: DVec3, metric: Metric, counting: usize, solid: bool) -> Nearest {
+        let sums = self.sums(p, metric);
+        let least = if counting == 3 {
+            least::<3>(&sums)
+        } else {
+            let [a, b] = least::<2>(&sums);
+            [a, b, f64::INFINITY]
+        };
+        let mut nearest = Nearest { sums: least, seed: DVec3::ZERO };
+        if solid && least[0] < f64::INFINITY {
+            let place = sums.iter().position(|&sum| sum == least[0]);
+            nearest.seed = place.map_or(DVec3::ZERO, |place| self.at(place));
         }
         nearest
     }
@@ -259,7 +285,43 @@ impl Seeds {
         for place in 0..PLACES {
             sums[place] = part(p.x - self.x[place]) + part(p.y - self.y[place]) + part(p.z - self.z[place]);
         }
+        for sum in &mut sums[ADJACENT..] {
+            *sum = f64::INFINITY;
+        }
         sums
+    }
+}
+
+/// The least sums in order: four lists side by side first, then of these two, then of all.
+#[inline(always)]
+fn least<const COUNT: usize>(sums: &[f64; PLACES]) -> [f64; COUNT] {
+    let mut least = [Lanes::splat(f64::INFINITY); COUNT];
+    for place in 0..PLACES / Lanes::COUNT {
+        let [i, j, k, l] = [4 * place, 4 * place + 1, 4 * place + 2, 4 * place + 3];
+        insert(&mut least, Lanes([sums[i], sums[j], sums[k], sums[l]]));
+    }
+    let halves = least;
+    for Lanes([a, b, c, d]) in halves {
+        insert(&mut least, Lanes([c, d, a, b]));
+    }
+    let quarters = least;
+    for Lanes([a, b, c, d]) in quarters {
+        insert(&mut least, Lanes([b, a, d, c]));
+    }
+    let mut first = [0.0; COUNT];
+    for place in 0..COUNT {
+        first[place] = least[place].0[0];
+    }
+    first
+}
+
+/// Keeps the least numbers of each lane in order; what is no number isn't among them.
+#[inline(always)]
+fn insert<const COUNT: usize>(least: &mut [Lanes; COUNT], mut next: Lanes) {
+    for known in least {
+        let lesser = next.zip(*known, |next, known| if next < known { next } else { known });
+        next = known.zip(next, |known, next| if known > next { known } else { next });
+        *known = lesser;
     }
 }
 
@@ -271,7 +333,7 @@ fn seed(cell: [i32; 3], offset: [i32; 3]) -> DVec3 {
     DVec3::new(f64::from(x), f64::from(y), f64::from(z)) + cell_point([x, y, z])
 }
 
-/// The three least sums and the seed of the least.
+/// The least sums, three or as many as count, and the seed of the least.
 struct Nearest {
     sums: [f64; 3],
     seed: DVec3,
@@ -293,16 +355,16 @@ impl Nearest {
 
     /// Meets the seeds of the cells two steps away along one axis.
     #[inline(never)]
-    fn meet_far(&mut self, p: DVec3, corner: DVec3, cell: [i32; 3], metric: Metric) {
+    fn meet_far(&mut self, p: DVec3, corner: DVec3, cell: [i32; 3], metric: Metric, counting: usize) {
         let least = Least::new(metric, p - corner);
         for (axis, step) in [(0, -2), (0, 2), (1, -2), (1, 2), (2, -2), (2, 2)] {
-            if !least.may_any_reach(axis, step, self.sums[2]) {
+            if !least.may_any_reach(axis, step, self.sums[counting - 1]) {
                 continue;
             }
             for &[one, other] in &BESIDE {
                 let mut offset = [step; 3];
                 (offset[(axis + 1) % 3], offset[(axis + 2) % 3]) = (one, other);
-                if least.may_reach(offset, self.sums[2]) {
+                if least.may_reach(offset, self.sums[counting - 1]) {
                     let seed = seed(cell, offset);
                     self.meet(seed, metric.sum(p - seed));
                 }
@@ -321,14 +383,27 @@ impl Crackle {
         })
     }
 
+    /// How many of the nearest seeds the value is made of.
+    fn counting(&self) -> usize {
+        match self.form {
+            // Sums that don't grow may spoil the value even without a share.
+            _ if !self.metric.grows() => 3,
+            _ if self.solid.is_some() => 1,
+            form if form.z != 0.0 => 3,
+            form if form.y != 0.0 => 2,
+            _ => 1,
+        }
+    }
+
     /// The same, with seeds from which to go on.
     #[inline(always)]
-    fn value_by(&self, p: DVec3, seeds: &mut [Option<Seeds>; 8]) -> f64 {
+    fn value_by(&self, p: DVec3, seeds: &mut Kept) -> f64 {
         let corner = (p - EPSILON).floor();
         let cell = [corner.x as i32, corner.y as i32, corner.z as i32];
-        let mut nearest = seeds_around(seeds, cell).nearest(p, self.metric);
-        if !self.metric.ends_nearby(nearest.sums[2]) {
-            nearest.meet_far(p, corner, cell, self.metric);
+        let counting = self.counting();
+        let mut nearest = seeds.around(cell).nearest(p, self.metric, counting, self.solid.is_some());
+        if !self.metric.ends_nearby(nearest.sums[counting - 1]) {
+            nearest.meet_far(p, corner, cell, self.metric, counting);
         }
         let Nearest { sums, seed: nearest } = nearest;
         if let Some(generator) = self.solid {

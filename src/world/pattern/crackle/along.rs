@@ -1,6 +1,6 @@
 //! Crackles along lines: bounds of their values.
 
-use super::{ADJACENT, BESIDE, Crackle, Least, Metric, NEIGHBOURS, SEEDS, Seeds, seed, seeds_around};
+use super::{ADJACENT, BESIDE, Crackle, Kept, Least, Metric, NEIGHBOURS, SEEDS, Seeds, seed};
 use crate::math::noise::{EPSILON, noise};
 use crate::math::wide::widest;
 use crate::math::{Band, DVec3, Lanes};
@@ -67,7 +67,7 @@ impl Crackle {
 
     /// The same lane by lane; the seeds around a cell are looked through for all lanes at once.
     #[inline(always)]
-    fn strips(&self, p: &[Band; 3], seeds: &mut [Option<Seeds>; 8]) -> [Strip; Lanes::COUNT] {
+    fn strips(&self, p: &[Band; 3], seeds: &mut Kept) -> [Strip; Lanes::COUNT] {
         // Written out: closures may become calls, of which none knows wide registers.
         let stretches = [self.stretch(p, 0), self.stretch(p, 1), self.stretch(p, 2), self.stretch(p, 3)];
         let middles = [p[0].middle, p[1].middle, p[2].middle];
@@ -82,7 +82,7 @@ impl Crackle {
                         if (0..first).any(|lane| touching(lane).is_some()) {
                             continue;
                         }
-                        let around = seeds_around(seeds, cell);
+                        let around = seeds.around(cell);
                         let near = Near::of_four(around, middles, self.metric);
                         for (lane, all) in strips.iter_mut().enumerate().skip(first) {
                             let Some(stretch) = touching(lane) else { continue };
@@ -125,16 +125,6 @@ impl Crackle {
         };
         let cells = [cell_of(middle - room - EPSILON), cell_of(middle + room)];
         Some(Stretch { middle, along, reach, spread, cells })
-    }
-
-    /// How many of the nearest seeds the value is made of.
-    fn counting(&self) -> usize {
-        match self.form {
-            _ if self.solid.is_some() => 1,
-            form if form.z != 0.0 => 3,
-            form if form.y != 0.0 => 2,
-            _ => 1,
-        }
     }
 
     /// What holds the values on a stretch, as the seeds around one of its cells have it, of which these are near.
