@@ -44,7 +44,7 @@ impl TextureCompiler<'_> {
             }
         }
         let step = (!outer.is_identity()).then(|| Warp::Transform(Box::new(*outer)));
-        Ok(Density { place: Warps::new(step), uniform, varying: varying.into() })
+        Ok(Density::new(Warps::new(step), uniform, varying))
     }
 }
 

@@ -6,6 +6,8 @@ pub use phase::Phase;
 
 use std::sync::Arc;
 
+use smallvec::SmallVec;
+
 use super::sample::Sample;
 use super::texture::Pigment;
 use super::warp::Warps;
@@ -73,14 +75,24 @@ pub struct Extra {
 #[derive(Clone, Debug)]
 pub struct Density {
     /// From the world to the space the statements were written in.
-    pub place: Warps,
+    place: Warps,
     /// The product of those that are the same everywhere.
     pub uniform: Rgb,
     /// Those that aren't.
-    pub varying: Box<[Arc<Pigment>]>,
+    varying: Box<[Arc<Pigment>]>,
+    /// Their places in the order in which they are asked.
+    order: Box<[usize]>,
 }
 
 impl Density {
+    /// The product of a uniform density and of `varying` ones, written in the space that `place` leads to.
+    pub fn new(place: Warps, uniform: Rgb, varying: Vec<Arc<Pigment>>) -> Self {
+        // Where one is black the others need not be asked: first those that are soon known.
+        let mut order: Box<[usize]> = (0..varying.len()).collect();
+        order.sort_by_key(|&place| !varying[place].is_soon_known());
+        Self { place, uniform, varying: varying.into(), order }
+    }
+
     /// Whether it is the same everywhere.
     pub fn is_uniform(&self) -> bool {
         self.varying.is_empty()
@@ -92,7 +104,22 @@ impl Density {
             return self.uniform;
         }
         let sample = Sample::at(self.place.point(point));
-        self.varying.iter().fold(self.uniform, |density, field| density * field.density(&sample))
+        if let [field] = &self.varying[..] {
+            return self.uniform * field.density(&sample);
+        }
+        let mut values: SmallVec<[Rgb; 4]> = SmallVec::from_elem(Rgb::ZERO, self.varying.len());
+        for &place in &self.order {
+            values[place] = self.varying[place].density(&sample);
+            if values[place] == Rgb::ZERO {
+                return Rgb::ZERO;
+            }
+        }
+        // Multiplied in the order of the text, whichever was asked first.
+        let mut density = self.uniform;
+        for value in values {
+            density *= value;
+        }
+        density
     }
 }
 

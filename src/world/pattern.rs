@@ -126,6 +126,23 @@ impl Pattern {
         Self { warps: Warps::default(), formula, frequency: 0.0, phase: 0.0, wave: Wave::Ramp }
     }
 
+    /// Whether its value takes hardly any time to find.
+    pub fn is_soon_known(&self) -> bool {
+        let few = matches!(
+            self.formula,
+            Formula::Boxed
+                | Formula::Cells
+                | Formula::Checker
+                | Formula::Cylindrical
+                | Formula::Gradient(_)
+                | Formula::Onion
+                | Formula::Planar
+                | Formula::Spherical
+                | Formula::Square
+        );
+        few && self.warps.is_soon_gone()
+    }
+
     /// The finished value at the point the pattern sees, which has gone through `warps` already.
     pub fn value_at(&self, p: DVec3, sample: &Sample) -> f64 {
         tally::patterns(1);

@@ -49,6 +49,11 @@ impl Warps {
         self.steps.is_empty()
     }
 
+    /// Whether a point takes hardly any time on the way: transforms alone.
+    pub fn is_soon_gone(&self) -> bool {
+        self.steps.iter().all(|step| matches!(step, Warp::Transform(_)))
+    }
+
     /// Where the pattern sees `p`.
     pub fn point(&self, mut p: DVec3) -> DVec3 {
         for step in &self.steps {

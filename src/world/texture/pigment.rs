@@ -76,6 +76,15 @@ impl Pigment {
         or_clear(self.color(sample)).rgb
     }
 
+    /// Whether its colour takes hardly any time to find: one, or a pattern of a few operations.
+    pub fn is_soon_known(&self) -> bool {
+        match self {
+            Self::Color(_) => true,
+            Self::Colors(pattern, _) => pattern.is_soon_known(),
+            _ => false,
+        }
+    }
+
     /// Whether nothing shines through anywhere (docs/spec/patterns-textures.md 7.3).
     pub fn is_opaque(&self) -> bool {
         let clear = |c: &Rgbft| c.filter.abs() > 1e-10 || c.transmit.abs() > 1e-10;
