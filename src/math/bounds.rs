@@ -100,7 +100,15 @@ impl Bounds {
         } else if by.is_identity() {
             self
         } else if self.is_finite() {
-            Self::of(self.corners().map(|c| by.point(c)))
+            // Coordinates of corners are sums of what each axis adds. Rounding keeps order, so the least is the sum of
+            // the least, to the bit.
+            let columns = by.forward.matrix3;
+            let (mut min, mut max) = (DVec3::ZERO, DVec3::ZERO);
+            for (axis, column) in [columns.x_axis, columns.y_axis, columns.z_axis].into_iter().enumerate() {
+                let (low, high) = (column * self.min[axis], column * self.max[axis]);
+                (min, max) = (min + low.min(high), max + low.max(high));
+            }
+            Self { min: min + by.forward.translation, max: max + by.forward.translation }
         } else {
             Self::ALL
         }
@@ -118,6 +126,18 @@ mod tests {
         assert_eq!(cube.intersection(Bounds::ALL), cube);
         assert!(cube.intersection(Bounds::new(DVec3::splat(2.0), DVec3::splat(3.0))).is_empty());
         assert!(Bounds::EMPTY.is_empty() && !Bounds::ALL.is_empty() && !Bounds::ALL.is_finite());
+    }
+
+    #[test]
+    fn a_box_around_the_image_is_that_of_the_corners() {
+        let mut number = crate::math::dice::numbers(5);
+        for _ in 0..1000 {
+            let mut point = || 7.0 * DVec3::new(number(), number(), number());
+            let by = Transform::rotate(90.0 * point()).then(&Transform::scale(point()));
+            let by = by.then(&Transform::translate(point()));
+            let bounds = Bounds::new(point(), point());
+            assert_eq!(bounds.transformed(&by), Bounds::of(bounds.corners().map(|c| by.point(c))));
+        }
     }
 
     #[test]
