@@ -5,7 +5,7 @@
 
 use super::COARSE;
 use super::scratch::Found;
-use crate::world::object::{LeafFlags, Limits, Member, RayKind};
+use crate::world::object::{LeafFlags, Member, RayKind};
 use crate::world::parts::{Group, Operation, Parts};
 use crate::world::ray::{Range, Ray};
 use crate::world::shape::{Primitive, Shape};
@@ -44,16 +44,26 @@ struct Window {
 
 impl Window {
     /// `None` where clips leave nothing.
-    fn new(parts: &Parts, limits: &Limits, ray: &Ray) -> Result<Option<Self>, Unclear> {
+    fn new(parts: &Parts, clips: impl Iterator<Item = Member>, ray: &Ray) -> Result<Option<Self>, Unclear> {
         let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
-        for &clip in &limits.clips {
+        for clip in clips {
             let Member::Leaf(clip) = clip else { return Err(Unclear) };
             let clip = parts.leaf(clip);
-            if !clip.is_convex() || clip.flags.contains(LeafFlags::INVERTED) {
+            if !clip.is_convex() {
                 return Err(Unclear);
             }
-            let Some(span) = clip.primitive.span(&clip.asked(ray)) else { return Ok(None) };
-            (enter, leave) = (enter.max(span.enter.t), leave.min(span.leave.t));
+            let span = clip.primitive.span(&clip.asked(ray)).map(|span| (span.enter.t, span.leave.t));
+            let kept = match (span, clip.flags.contains(LeafFlags::INVERTED)) {
+                (Some(span), false) => span,
+                (None, false) => return Ok(None),
+                (None, true) => continue,
+                (Some((f64::NEG_INFINITY, f64::INFINITY)), true) => return Ok(None),
+                // Of half a line the other half is left.
+                (Some((f64::NEG_INFINITY, end)), true) => (end, f64::INFINITY),
+                (Some((start, f64::INFINITY)), true) => (f64::NEG_INFINITY, start),
+                (Some(_), true) => return Err(Unclear),
+            };
+            (enter, leave) = (enter.max(kept.0), leave.min(kept.1));
         }
         let room = Room::new(ray, 4.0);
         Ok(Some(Self { enter: [enter, room.at(enter)], leave: [leave, room.at(leave)] }))
@@ -69,6 +79,18 @@ impl Window {
     /// Whether a distance is in the window for certain.
     fn holds(&self, t: f64) -> bool {
         t > self.enter[0] + self.enter[1] && t < self.leave[0] - self.leave[1]
+    }
+
+    /// Whether an end of it is in a range.
+    fn ends_in(&self, range: Range) -> Result<bool, Unclear> {
+        let mut ends = false;
+        for [t, room] in [self.enter, self.leave] {
+            if (t - range.min).abs() <= room || (t - range.max).abs() <= room {
+                return Err(Unclear);
+            }
+            ends |= range.contains(t);
+        }
+        Ok(ends)
     }
 }
 
@@ -90,7 +112,7 @@ impl Parts {
         if first.is_none() && !is_slow {
             return Ok(None);
         }
-        let Some(window) = Window::new(self, limits, ray)? else { return Ok(None) };
+        let Some(window) = Window::new(self, limits.clips.iter().copied(), ray)? else { return Ok(None) };
         if first.is_some_and(|found| window.holds(found.t())) {
             return Ok(first);
         }
@@ -184,8 +206,35 @@ impl Parts {
                 }
                 self.occludes_convex(group, ray, range)
             }
+            Member::Group(number)
+                if let group = self.group(number)
+                    && let Some(cut) = group.cut
+                    && self.is_whole(member) =>
+            {
+                if self.is_hidden(group, kind) || !self.admits(member, ray) {
+                    return Ok(false);
+                }
+                self.occludes_cut((group, cut), ray, range)
+            }
             _ => Ok(self.nearest_soon(member, ray, range, kind)?.is_some()),
         }
+    }
+
+    /// The same for a solid, the member at a place, that convex solids cut.
+    fn occludes_cut(&self, (group, place): (&Group, u32), ray: &Ray, range: Range) -> Result<bool, Unclear> {
+        let Member::Leaf(solid) = group.members[place as usize] else { return Err(Unclear) };
+        let others = (0..).zip(&group.members).filter(|&(other, _)| other != place);
+        let Some(window) = Window::new(self, others.map(|(_, &member)| member), ray)? else {
+            return Ok(false);
+        };
+        let Some(part) = window.of(range) else { return Ok(false) };
+        let leaf = self.leaf(solid);
+        if let Some(crossing) = leaf.primitive.nearest(&leaf.asked(ray), part) {
+            return if window.holds(crossing.t) { Ok(true) } else { Err(Unclear) };
+        }
+        // All of the part is inside the solid or outside: inside, what cuts it is its surface.
+        let middle = ray.at(0.5 * (part.min + part.max));
+        Ok(window.ends_in(range)? && middle.is_finite() && leaf.contains(middle))
     }
 
     /// Whether nothing of a member is clipped away.
