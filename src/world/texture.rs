@@ -143,6 +143,11 @@ impl Texture {
         self.layers().is_some_and(|layers| layers.iter().all(Layer::is_clear))
     }
 
+    /// Whether no light that passes is changed anywhere, be it filtered or let through.
+    pub fn passes_light(&self) -> bool {
+        self.layers().is_some_and(|layers| layers.iter().all(Layer::passes_light))
+    }
+
     /// Whether nothing of it is ever seen.
     pub fn is_invisible(&self) -> bool {
         self.is_clear() && self.layers().is_some_and(|layers| layers.iter().all(Layer::is_dull))
@@ -226,6 +231,11 @@ impl Layer {
     /// Whether its pigment is clear and the same everywhere.
     fn is_clear(&self) -> bool {
         matches!(*self.pigment, Pigment::Color(color) if color.transmit == 1.0 && color.filter == 0.0)
+    }
+
+    /// Whether light that passes its pigment stays as it is.
+    fn passes_light(&self) -> bool {
+        matches!(*self.pigment, Pigment::Color(color) if color.through() == Rgb::ONE && color.opacity() == 0.0)
     }
 
     /// Whether it shows nothing but its pigment.
