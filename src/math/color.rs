@@ -32,12 +32,14 @@ impl Rgbft {
     }
 
     /// From the five components in the order red, green, blue, filter, transmit.
+    #[inline]
     pub const fn new(components: [f32; 5]) -> Self {
         let [r, g, b, filter, transmit] = components;
         Self { rgb: Rgb::new(r, g, b), filter, transmit }
     }
 
     /// The five components in the order red, green, blue, filter, transmit.
+    #[inline]
     pub fn to_array(self) -> [f32; 5] {
         [self.rgb.x, self.rgb.y, self.rgb.z, self.filter, self.transmit]
     }

@@ -183,12 +183,11 @@ impl Octaves {
     }
 
     fn frequencies(&self) -> [f64; MOST_OCTAVES] {
-        let mut frequency = 1.0;
-        std::array::from_fn(|_| {
-            let this = frequency;
-            frequency *= self.lambda;
-            this
-        })
+        let mut frequencies = [1.0; MOST_OCTAVES];
+        for octave in 1..self.count() {
+            frequencies[octave] = frequencies[octave - 1] * self.lambda;
+        }
+        frequencies
     }
 }
 

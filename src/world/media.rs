@@ -6,8 +6,6 @@ pub use phase::Phase;
 
 use std::sync::Arc;
 
-use smallvec::SmallVec;
-
 use super::sample::Sample;
 use super::texture::Pigment;
 use super::warp::Warps;
@@ -71,6 +69,9 @@ pub struct Extra {
     pub thresholds: Box<[f64]>,
 }
 
+/// So many densities are asked in the order of what they cost.
+const FEW: usize = 4;
+
 /// The product of a medium's `density` statements.
 #[derive(Clone, Debug)]
 pub struct Density {
@@ -80,16 +81,16 @@ pub struct Density {
     pub uniform: Rgb,
     /// Those that aren't.
     varying: Box<[Arc<Pigment>]>,
-    /// Their places in the order in which they are asked.
-    order: Box<[usize]>,
+    /// The places of the first few in the order in which they are asked.
+    order: Box<[u8]>,
 }
 
 impl Density {
     /// The product of a uniform density and of `varying` ones, written in the space that `place` leads to.
     pub fn new(place: Warps, uniform: Rgb, varying: Vec<Arc<Pigment>>) -> Self {
         // Where one is black the others need not be asked: first those that are soon known.
-        let mut order: Box<[usize]> = (0..varying.len()).collect();
-        order.sort_by_key(|&place| !varying[place].is_soon_known());
+        let mut order: Box<[u8]> = (0..FEW as u8).take(varying.len()).collect();
+        order.sort_by_key(|&place| !varying[usize::from(place)].is_soon_known());
         Self { place, uniform, varying: varying.into(), order }
     }
 
@@ -107,17 +108,21 @@ impl Density {
         if let [field] = &self.varying[..] {
             return self.uniform * field.density(&sample);
         }
-        let mut values: SmallVec<[Rgb; 4]> = SmallVec::from_elem(Rgb::ZERO, self.varying.len());
+        let mut values = [Rgb::ONE; FEW];
         for &place in &self.order {
-            values[place] = self.varying[place].density(&sample);
-            if values[place] == Rgb::ZERO {
+            let value = self.varying[usize::from(place)].density(&sample);
+            if value == Rgb::ZERO {
                 return Rgb::ZERO;
             }
+            values[usize::from(place) % FEW] = value;
         }
         // Multiplied in the order of the text, whichever was asked first.
         let mut density = self.uniform;
-        for value in values {
-            density *= value;
+        for value in &values[..self.order.len().min(FEW)] {
+            density *= *value;
+        }
+        for field in self.varying.iter().skip(self.order.len()) {
+            density *= field.density(&sample);
         }
         density
     }

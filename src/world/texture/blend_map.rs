@@ -36,6 +36,7 @@ impl<T> BlendMap<T> {
     }
 
     /// The entries that show at `value`. Positions need not be sorted; the rule is then followed literally.
+    #[inline]
     pub fn pick(&self, value: f64) -> Pick<&T> {
         let entries = &self.entries;
         let (last, last_entry) = &entries[entries.len() - 1];
@@ -43,9 +44,13 @@ impl<T> BlendMap<T> {
             return Pick::One(last_entry);
         }
         // A value that is no number takes the first entry, as POV-Ray's does.
-        let Some(i) = entries.iter().position(|(at, _)| value <= f64::from(*at) || value.is_nan()) else {
-            return Pick::One(last_entry);
-        };
+        let mut i = 0;
+        while !value.is_nan() && !(value <= f64::from(entries[i].0)) {
+            i += 1;
+            if i == entries.len() {
+                return Pick::One(last_entry);
+            }
+        }
         let (at, current) = &entries[i];
         if i == 0 || value == f64::from(*at) {
             return Pick::One(current);

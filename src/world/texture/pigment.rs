@@ -72,6 +72,7 @@ impl Pigment {
     }
 
     /// The colour as a media density takes it.
+    #[inline]
     pub fn density(&self, sample: &Sample) -> Rgb {
         or_clear(self.color(sample)).rgb
     }
@@ -108,9 +109,14 @@ fn or_clear(color: Option<Rgbft>) -> Rgbft {
 }
 
 /// Every component by itself, the share in double precision (docs/spec/patterns-textures.md 3.2).
+#[inline]
 fn blend(previous: Rgbft, current: Rgbft, t: f64) -> Rgbft {
-    let (previous, current) = (previous.to_array(), current.to_array());
-    Rgbft::new(std::array::from_fn(|k| previous[k] + (t * f64::from(current[k] - previous[k])) as f32))
+    let (mut blended, current) = (previous.to_array(), current.to_array());
+    // A loop: closures given to arrays become calls.
+    for (component, current) in blended.iter_mut().zip(&current) {
+        *component += (t * f64::from(current - *component)) as f32;
+    }
+    Rgbft::new(blended)
 }
 
 impl Colors for Pigment {
