@@ -15,7 +15,8 @@ use crate::source::{FileId, FileKind, Library, Missing, Source, Sources};
 /// Name of a scene that comes from standard input.
 const STDIN: &str = "-";
 
-/// Reads the scene of a job with these options; the sink hears what is wrong with it.
+/// Reads the scene of a job with these options; the sink hears what is wrong with it. What had to be compiled for it comes
+/// along.
 ///
 /// # Errors
 /// There is no such file, or the scene has errors.
@@ -23,11 +24,12 @@ pub(super) fn scene(
     job: &Job,
     options: &LanguageOptions,
     sink: &mut dyn Sink,
-) -> Result<(Scene, Sources), Failure> {
+) -> Result<(Scene, interp::Known, Sources), Failure> {
     let (main, mut sources) = open(job).map_err(Failure::Missing)?;
-    let scene = interp::interpret(main, &mut sources, options, sink).ok_or(Failure::Scene)?;
+    let (scene, known) =
+        interp::interpret_knowing(main, &mut sources, options, sink).ok_or(Failure::Scene)?;
     sources.release();
-    Ok((scene, sources))
+    Ok((scene, known, sources))
 }
 
 /// Opens the file of a job's scene.

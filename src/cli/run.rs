@@ -204,11 +204,11 @@ fn picture(
     report.parsing();
     let start = Instant::now();
     let language = job.language_at(frame.clock);
-    let (scene, sources) = read::scene(job, &language, report)?;
+    let (scene, known, sources) = read::scene(job, &language, report)?;
     let parse = Stage::ended(start);
 
     let start = Instant::now();
-    let Compiled { mut world, unsupported, spans } = compile::compile(scene, &job.render);
+    let Compiled { mut world, unsupported, spans } = compile::compile_knowing(scene, &job.render, known);
     lacking(unsupported, job.language.skip_unsupported, &sources, report)?;
     // `+MV3.7` means light even to a scene that says it is older (docs/spec/camera-image.md 11).
     if job.language.version.is_some_and(|version| version >= 370) {

@@ -23,7 +23,7 @@ mod tape;
 pub mod texture;
 mod world;
 
-pub use world::{Compiled, compile};
+pub use world::{Compiled, compile, compile_knowing};
 
 use std::fmt;
 

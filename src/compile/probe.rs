@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use super::Unsupported;
 use super::flatten::Flattener;
+use super::object::ShapeCache;
 use crate::math::{Band, Bounds, DVec3};
 use crate::options::Accelerator;
-use crate::scene::Object;
 use crate::scene::settings::Settings;
+use crate::scene::{Object, Shape};
 use crate::world::{Geometry, Inside, Range, Ray, RayKind};
 
 /// An object that can be asked about its geometry, in the space it is written in.
@@ -15,6 +16,32 @@ use crate::world::{Geometry, Inside, Range, Ray, RayKind};
 pub struct Probe {
     geometry: Geometry,
     extent: Bounds,
+}
+
+/// The big primitives of objects that were asked about while their scene was read: who compiles the scene need not make
+/// them again.
+#[derive(Debug, Default)]
+pub struct Known {
+    /// What holds for all of them.
+    settings: Option<Settings>,
+    shapes: ShapeCache,
+}
+
+impl Known {
+    /// Hands out what was made with these settings.
+    pub(super) fn take(&mut self, settings: &Settings) -> ShapeCache {
+        let shapes = std::mem::take(&mut self.shapes);
+        if self.settings.as_ref() == Some(settings) { shapes } else { ShapeCache::default() }
+    }
+
+    /// Keeps what was made with these settings, but for what takes note of the rays that ask it.
+    fn keep(&mut self, settings: &Settings, mut shapes: ShapeCache) {
+        shapes.retain(|_, (shape, _)| !matches!(shape, Shape::Isosurface(_) | Shape::Parametric(_)));
+        self.shapes = shapes;
+        if self.settings.as_ref() != Some(settings) {
+            self.settings = Some(settings.clone());
+        }
+    }
 }
 
 /// Nearer surfaces are not traced (docs/spec/primitives.md 1.2).
@@ -25,10 +52,16 @@ impl Probe {
     ///
     /// # Errors
     /// The parts that povista can't compile yet.
-    pub fn new(object: &Arc<Object>, settings: &Settings) -> Result<Self, Vec<Unsupported>> {
+    pub fn new(
+        object: &Arc<Object>,
+        settings: &Settings,
+        known: &mut Known,
+    ) -> Result<Self, Vec<Unsupported>> {
         let mut flattener = Flattener::new(settings, Accelerator::Auto, false);
+        flattener.shapes = known.take(settings);
         flattener.add_whole(object);
         let extent = flattener.reported_extent(object);
+        known.keep(settings, std::mem::take(&mut flattener.shapes));
         let flat = flattener.finish();
         if flat.unsupported.is_empty() {
             Ok(Self { geometry: Geometry::new(flat.parts, Accelerator::Auto), extent })
@@ -64,7 +97,7 @@ impl Probe {
 /// # Errors
 /// The first part that povista can't compile yet.
 pub fn inside_of(object: &Arc<Object>, settings: &Settings) -> Result<Arc<dyn Inside>, Unsupported> {
-    match Probe::new(object, settings) {
+    match Probe::new(object, settings, &mut Known::default()) {
         Ok(probe) => Ok(Arc::new(probe)),
         Err(lacking) => Err(lacking
             .into_iter()

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::flatten::{Flat, Flattener, InteriorUse, TextureUse};
 use super::object::legacy;
-use super::probe;
+use super::probe::{self, Known};
 use super::texture::TextureCompiler;
 use super::{Unsupported, atmosphere, camera, interior, light, needs, settings};
 use crate::math::Transform;
@@ -27,9 +27,15 @@ pub struct Compiled {
 }
 
 /// Compiles a scene.
-pub fn compile(mut scene: Scene, options: &RenderOptions) -> Compiled {
+pub fn compile(scene: Scene, options: &RenderOptions) -> Compiled {
+    compile_knowing(scene, options, Known::default())
+}
+
+/// The same, given what was compiled while it was read.
+pub fn compile_knowing(mut scene: Scene, options: &RenderOptions, mut known: Known) -> Compiled {
     let objects = std::mem::take(&mut scene.objects);
     let mut flattener = Flattener::new(&scene.settings, options.accelerator, options.split_unions);
+    flattener.shapes = known.take(&scene.settings);
     flattener.expect(objects.len());
     // Each is freed once it is taken apart.
     for object in objects {
@@ -155,7 +161,7 @@ fn mark_opaque(flat: &mut Flat, textures: &[Texture]) {
                 && leaf.texture.get().is_some_and(single)
                 && leaf.interior_texture.get().is_none_or(single)
         };
-        let (clear, invisible) = (everywhere(Texture::is_clear), everywhere(Texture::is_invisible));
+        let (clear, invisible) = (everywhere(Texture::passes_light), everywhere(Texture::is_invisible));
         leaf.flags.set(LeafFlags::CLEAR, clear);
         leaf.flags.set(LeafFlags::INVISIBLE, invisible);
     }

@@ -66,6 +66,7 @@ pub mod tuple;
 pub mod value;
 mod word;
 
+pub use builtin::probe::Known;
 pub use closing::Experimental;
 pub use fault::{Fault, Result};
 pub use read::Block;
@@ -180,12 +181,24 @@ pub fn interpret(
     options: &LanguageOptions,
     sink: &mut dyn Sink,
 ) -> Option<Scene> {
+    interpret_knowing(main, sources, options, sink).map(|(scene, _)| scene)
+}
+
+/// Reads a scene, and gives what of it had to be compiled for it.
+pub fn interpret_knowing(
+    main: FileId,
+    sources: &mut Sources,
+    options: &LanguageOptions,
+    sink: &mut dyn Sink,
+) -> Option<(Scene, Known)> {
     sources.library.paths.extend(options.library_paths.iter().cloned());
     // Statements inside each other take little stack each, but there may be many.
     stacker::grow(limits::STACK, || {
         let mut vm = Vm::new(main, sources, options, sink);
         vm.run_scene();
-        if vm.failed { None } else { statement::finish(vm) }
+        let known = std::mem::take(&mut vm.compiled.known);
+        let scene = if vm.failed { None } else { statement::finish(vm) };
+        scene.map(|scene| (scene, known))
     })
 }
 

@@ -18,7 +18,7 @@ pub(super) fn dump(
     err: &mut (dyn Write + Send),
 ) -> Result<(), Failure> {
     let job = settings::job(arguments, &settings::of_scene(arguments)?)?;
-    let (scene, _) = read::scene(&job, &job.first_language(), &mut Teller::new(err, false))?;
+    let (scene, _, _) = read::scene(&job, &job.first_language(), &mut Teller::new(err, false))?;
     write!(out, "{}", scene.dump())?;
     Ok(())
 }

@@ -163,7 +163,7 @@ fn a_continued_picture_is_the_same_to_the_byte() {
 
         // Half of the blocks are there, the last of them torn.
         let job = job("+C +WT1");
-        let (scene, sources) = read::scene(&job, &job.first_language(), &mut Listener::default())
+        let (scene, _, sources) = read::scene(&job, &job.first_language(), &mut Listener::default())
             .unwrap_or_else(|_| panic!("a scene"));
         let fingerprint = state::fingerprint(&sources, &job.first_language(), &job.render);
         let kept = resume::begin(&job, state.clone(), fingerprint, &mut |_| ());

@@ -8,6 +8,7 @@ use rustc_hash::FxHashMap;
 
 use super::arguments;
 use crate::compile::image;
+pub use crate::compile::probe::Known;
 use crate::compile::probe::{Probe, inside_of};
 use crate::compile::texture::TextureCompiler;
 use crate::compile::{Reason, Unsupported};
@@ -32,6 +33,8 @@ pub struct Compiled {
     functions: FxHashMap<*const Function, (Arc<Function>, Arc<world::Function>)>,
     objects: FxHashMap<*const Object, (Arc<Object>, Rc<Probe>)>,
     splines: FxHashMap<(*const scene::Spline, SplineKind), Ready>,
+    /// What whoever compiles the scene need not make again.
+    pub known: Known,
 }
 
 /// A spline, and what is ready to be evaluated.
@@ -222,7 +225,8 @@ fn read_object(vm: &mut Vm, span: Span) -> Result<Rc<Probe>> {
     if let Some((_, probe)) = vm.compiled.objects.get(&Arc::as_ptr(&object)) {
         return Ok(probe.clone());
     }
-    let probe = Probe::new(&object, &settings(vm))
+    let settings = settings(vm);
+    let probe = Probe::new(&object, &settings, &mut vm.compiled.known)
         .map_err(|lacking| refused(vm, &first(lacking, object.span), span))?;
     let probe = Rc::new(probe);
     vm.compiled.objects.insert(Arc::as_ptr(&object), (object, probe.clone()));

@@ -48,7 +48,7 @@ impl Ours {
         job.render = options.clone();
         // The scene's own picture is asked for, so `image_width` is that of the measurement.
         (job.language.image_width, job.language.image_height) = (width, height);
-        let (read, sources) = read::scene(&job, &job.first_language(), &mut Teller::new(err, true))?;
+        let (read, _, sources) = read::scene(&job, &job.first_language(), &mut Teller::new(err, true))?;
         let fingerprint = state::fingerprint(&sources, &job.language, &options);
         let compiled = compile::compile(read, &options);
         if let Some(lack) = compiled.unsupported.first() {
