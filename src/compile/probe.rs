@@ -52,7 +52,15 @@ impl Probe {
     ///
     /// # Errors
     /// The parts that povista can't compile yet.
-    pub fn new(
+    pub fn new(object: &Arc<Object>, settings: &Settings) -> Result<Self, Vec<Unsupported>> {
+        Self::knowing(object, settings, &mut Known::default())
+    }
+
+    /// The same with what is known from objects before, to which what is new is added.
+    ///
+    /// # Errors
+    /// The parts that povista can't compile yet.
+    pub fn knowing(
         object: &Arc<Object>,
         settings: &Settings,
         known: &mut Known,
@@ -97,7 +105,7 @@ impl Probe {
 /// # Errors
 /// The first part that povista can't compile yet.
 pub fn inside_of(object: &Arc<Object>, settings: &Settings) -> Result<Arc<dyn Inside>, Unsupported> {
-    match Probe::new(object, settings, &mut Known::default()) {
+    match Probe::new(object, settings) {
         Ok(probe) => Ok(Arc::new(probe)),
         Err(lacking) => Err(lacking
             .into_iter()

@@ -226,7 +226,7 @@ fn read_object(vm: &mut Vm, span: Span) -> Result<Rc<Probe>> {
         return Ok(probe.clone());
     }
     let settings = settings(vm);
-    let probe = Probe::new(&object, &settings, &mut vm.compiled.known)
+    let probe = Probe::knowing(&object, &settings, &mut vm.compiled.known)
         .map_err(|lacking| refused(vm, &first(lacking, object.span), span))?;
     let probe = Rc::new(probe);
     vm.compiled.objects.insert(Arc::as_ptr(&object), (object, probe.clone()));
