@@ -45,7 +45,10 @@ impl<T> BlendMap<T> {
         }
         // A value that is no number takes the first entry, as POV-Ray's does.
         let mut i = 0;
-        while !value.is_nan() && !(value <= f64::from(entries[i].0)) {
+        loop {
+            if value <= f64::from(entries[i].0) || value.is_nan() {
+                break;
+            }
             i += 1;
             if i == entries.len() {
                 return Pick::One(last_entry);
