@@ -93,6 +93,13 @@ pub enum Sampling {
         /// What a pixel gathers.
         filter: Filter,
     },
+    /// The middle of each pixel and its corners, and what it takes to find the edges between them.
+    Edges {
+        /// Error of a pixel as it is seen, in steps of 255, at which sampling stops.
+        error: f32,
+        /// Samples of a pixel at most, about.
+        most: u32,
+    },
     /// As many samples for each pixel as a time allows, one at least.
     Budget {
         /// Seconds by the clock.

@@ -6,6 +6,7 @@
 
 mod adaptive;
 mod corners;
+mod edges;
 mod even;
 mod every;
 mod filter;
@@ -86,6 +87,10 @@ pub(super) fn block(
             let contrast = Contrast::new(&Antialias::default(), working);
             let aim = adaptive::Aim { error, most };
             adaptive::adaptive(block, aim, filter, options.seed, &contrast, look)
+        }
+        Some(Sampling::Edges { error, most }) => {
+            let contrast = Contrast::new(&Antialias::default(), working);
+            edges::edges(block, &edges::Aim::new(error, most, working), options.seed, &contrast, look)
         }
         // The first round of many (`super::budget`).
         Some(Sampling::Budget { filter, .. }) => {

@@ -97,6 +97,7 @@ fn rays_from_the_eye_meet_together_what_they_meet_alone() {
             (None, Some(AntialiasMethod::Adaptive)),
             (Some(even), None),
             (Some(Sampling::Corners), None),
+            (Some(Sampling::Edges { error: 4.0, most: 64 }), None),
         ];
         // Samples of a lens are none of the sampling's.
         for (sampling, method) in refined.into_iter().filter(|_| camera.is_empty()) {

@@ -131,7 +131,8 @@ pub(super) struct Look {
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     pub(super) size: Option<(u32, u32)>,
     /// Antialias: refine pixels that differ by this much from their neighbours, 0 to 1 [default: 0.3];
-    /// `adaptive` samples each pixel until its error is small, `corners` shares corners with neighbours
+    /// `edges` finds out where edges cross pixels, `adaptive` samples each pixel until its error is small, `corners`
+    /// shares corners with neighbours
     #[arg(long, value_name = "THRESHOLD", num_args = 0..=1, default_missing_value = "0.3", value_parser = aa)]
     pub(super) aa: Option<Aa>,
     /// Antialias by POV-Ray's method 1 (neighbours) or 2 (adaptive) [default: 1]
@@ -166,10 +167,10 @@ pub(super) struct Sampling {
     /// Take one sample for each square of so many pixels: a first look
     #[arg(long, value_name = "PIXELS", conflicts_with_all = ["aa", "aa_method", "samples", "budget"])]
     pub(super) every: Option<u32>,
-    /// With `--aa adaptive`: the error of a pixel, in steps of 255, that is small enough
+    /// With `--aa edges` or `adaptive`: the error of a pixel, in steps of 255, that is small enough
     #[arg(long, value_name = "STEPS", default_value_t = 2.0)]
     pub(super) error: f32,
-    /// With `--aa adaptive`: samples of a pixel at most
+    /// With `--aa edges` or `adaptive`: samples of a pixel at most
     #[arg(long, value_name = "COUNT", default_value_t = 256)]
     pub(super) most: u32,
     /// How much samples count for the pixels around them; not for POV-Ray's methods
@@ -186,6 +187,8 @@ pub(super) enum Aa {
     Adaptive,
     /// The middle and the corners of a pixel.
     Corners,
+    /// These, and what it takes to find edges.
+    Edges,
 }
 
 impl Aa {
@@ -193,7 +196,7 @@ impl Aa {
     pub(super) fn threshold(self) -> Option<f32> {
         match self {
             Self::Threshold(threshold) => Some(threshold),
-            Self::Adaptive | Self::Corners => None,
+            Self::Adaptive | Self::Corners | Self::Edges => None,
         }
     }
 }
@@ -401,14 +404,15 @@ fn constant(text: &str) -> Result<String, String> {
     Err("a constant is NAME=NUMBER or NAME=\"text\"; the quotes belong to it: 'Name=\"text\"'".to_owned())
 }
 
-/// Reads `0.3`, `adaptive` or `corners`.
+/// Reads `0.3`, `adaptive`, `corners` or `edges`.
 fn aa(text: &str) -> Result<Aa, String> {
     match text {
         "adaptive" => Ok(Aa::Adaptive),
         "corners" => Ok(Aa::Corners),
+        "edges" => Ok(Aa::Edges),
         _ => {
             let threshold = text.parse().ok().filter(|number| (0.0..=1.0).contains(number));
-            let help = "antialiasing is a threshold from 0 to 1, `adaptive` or `corners`";
+            let help = "antialiasing is a threshold from 0 to 1, `adaptive`, `corners` or `edges`";
             threshold.map(Aa::Threshold).ok_or_else(|| help.to_owned())
         }
     }

@@ -132,6 +132,7 @@ pub(super) fn sampling(aa: Option<Aa>, own: &args::Sampling) -> Option<Sampling>
     match (aa, own.samples, own.budget, own.every) {
         (Some(Aa::Adaptive), ..) => Some(Sampling::Adaptive { error: own.error, most: own.most, filter }),
         (Some(Aa::Corners), ..) => Some(Sampling::Corners),
+        (Some(Aa::Edges), ..) => Some(Sampling::Edges { error: own.error, most: own.most }),
         (_, Some(samples), ..) => Some(Sampling::Even { samples, filter }),
         (_, _, Some(seconds), _) => Some(Sampling::Budget { seconds, filter }),
         (.., Some(step)) => Some(Sampling::Every(step)),

@@ -28,7 +28,7 @@ const SPREAD: f32 = 0.7;
 const HIDDEN: f32 = 0.25;
 
 /// A pixel on its way.
-struct Pixel {
+pub(super) struct Pixel {
     sequence: Sequence,
     taken: u32,
     sum: Sum,
@@ -37,7 +37,13 @@ struct Pixel {
 }
 
 impl Pixel {
-    fn take(&mut self, count: u32, contrast: &Contrast, look: &mut dyn Look) {
+    /// A pixel of which nothing was seen.
+    pub(super) fn new(at: (u32, u32), filter: Filter, seed: u64) -> Self {
+        Self { sequence: Sequence::new(at, filter, seed), taken: 0, sum: Sum::default(), seen: [0.0; 2] }
+    }
+
+    /// Looks at so many places more.
+    pub(super) fn take(&mut self, count: u32, contrast: &Contrast, look: &mut dyn Look) {
         let Self { sequence, taken, sum, seen } = self;
         let places = (*taken..*taken + count).map(|number| sequence.place(number));
         each(look, places, |color, weight| {
@@ -48,18 +54,36 @@ impl Pixel {
         self.taken += count;
     }
 
-    fn brightness(&self) -> f32 {
+    /// The mean colour of what was seen.
+    pub(super) fn mean(&self) -> Sample {
+        self.sum.mean()
+    }
+
+    /// Mean brightness, as it is seen.
+    pub(super) fn brightness(&self) -> f32 {
         self.seen[0] / self.taken as f32
     }
 
-    /// Estimated error of the mean.
+    /// Deviation of the brightness.
+    pub(super) fn deviation(&self) -> f32 {
+        let mean = self.brightness();
+        (self.seen[1] / self.taken as f32 - mean * mean).max(0.0).sqrt()
+    }
+
+    /// Estimated error of the mean, as it is seen, where the brightness of neighbours differs by so much.
     fn error(&self, neighbours: f32) -> f32 {
         let count = self.taken as f32;
-        let mean = self.brightness();
-        let variance = (self.seen[1] / count - mean * mean).max(0.0);
         // An evenly spread sequence errs like n^(-3/4) at edges, not like n^(-1/2).
-        let spread = SPREAD * variance.sqrt() / count.powf(0.75);
+        let spread = SPREAD * self.deviation() / count.powf(0.75);
         spread.max(HIDDEN * neighbours / count)
+    }
+
+    /// Looks at places until the error is as aimed at, where the brightness of neighbours differs by so much.
+    pub(super) fn finish(&mut self, aim: Aim, beside: f32, contrast: &Contrast, look: &mut dyn Look) {
+        self.take((4 * FIRST).min(aim.most), contrast, look);
+        while self.taken < aim.most && self.error(beside) > aim.error / 255.0 {
+            self.take(self.taken.min(aim.most - self.taken), contrast, look);
+        }
     }
 }
 
@@ -73,14 +97,7 @@ pub(super) fn adaptive(
     look: &mut dyn Look,
 ) -> Vec<Sample> {
     let width = block.columns.len();
-    let mut all: Vec<Pixel> = pixels(block)
-        .map(|at| Pixel {
-            sequence: Sequence::new(at, filter, seed),
-            taken: 0,
-            sum: Sum::default(),
-            seen: [0.0; 2],
-        })
-        .collect();
+    let mut all: Vec<Pixel> = pixels(block).map(|at| Pixel::new(at, filter, seed)).collect();
     let most = aim.most.max(1);
     for pixel in &mut all {
         pixel.take(FIRST.min(most), contrast, look);
@@ -104,7 +121,7 @@ pub(super) fn adaptive(
             pixel.take(pixel.taken.min(most - pixel.taken), contrast, look);
         }
     }
-    all.iter().map(|pixel| pixel.sum.mean()).collect()
+    all.iter().map(Pixel::mean).collect()
 }
 
 #[cfg(test)]

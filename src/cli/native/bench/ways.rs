@@ -74,6 +74,10 @@ pub(super) fn ours() -> Vec<Way> {
     ways.extend([32.0_f32, 16.0, 8.0, 4.0, 2.0, 1.0].map(|error| {
         Way::own("adaptive", error, Sampling::Adaptive { error, most: 1024, filter: Filter::Box })
     }));
+    ways.extend(
+        [16.0_f32, 8.0, 4.0, 2.0, 1.0, 0.5]
+            .map(|error| Way::own("edges", error, Sampling::Edges { error, most: 1024 })),
+    );
     let filters = [
         ("even box", Filter::Box),
         ("even triangle", Filter::Triangle),
