@@ -17,6 +17,7 @@ pub(super) struct Reflectivity {
 ///
 /// `cosine` is that between the normal and the way back to the eye; `index` the refractive index of
 /// the other side over this side's; `color` the pigment's.
+#[inline]
 pub(super) fn reflectivity(reflection: &Reflection, cosine: f64, index: f64, color: Rgb) -> Reflectivity {
     let Reflection { min, max, .. } = *reflection;
     let share = if reflection.fresnel {
@@ -36,6 +37,7 @@ pub(super) fn reflectivity(reflection: &Reflection, cosine: f64, index: f64, col
 }
 
 /// Fresnel's share of unpolarised light; 1 beyond the critical angle.
+#[inline]
 fn fresnel(index: f64, cosine: f64) -> f64 {
     let square = index * index + cosine * cosine - 1.0;
     if square <= 0.0 {
@@ -51,6 +53,7 @@ fn fresnel(index: f64, cosine: f64) -> f64 {
 /// The unit direction in which a surface with the bent normal `normal` mirrors `direction`.
 ///
 /// `raw` is the unbent normal, facing the ray: no reflection goes into the surface.
+#[inline]
 pub(super) fn mirrored(direction: DVec3, normal: DVec3, raw: DVec3) -> DVec3 {
     let reflected = direction.reflect(normal);
     let reflected = if reflected.dot(raw) >= 0.0 {

@@ -3,6 +3,7 @@
 mod ahead;
 mod air;
 mod budget;
+mod clear;
 mod direct;
 mod dispersion;
 pub mod film;
@@ -197,15 +198,15 @@ impl<'w> Eye<'w> {
     /// The colour and transmit along a ray through image coordinates, up to some distance.
     #[inline]
     fn seen(&self, tracer: &mut Tracer, ray: Ray, (x, y): (f64, f64), reach: f64) -> Sample {
-        let path = self.set_off(tracer, ray, (x, y));
-        tracer.trace_within(path, reach).sample()
+        let mut path = self.set_off(tracer, ray, (x, y));
+        tracer.trace_within(&mut path, reach).sample()
     }
 
     /// The same along a ray of which it is known what it meets first.
     #[inline]
     fn met(&self, tracer: &mut Tracer, ray: Ray, place: (f64, f64), hit: &Option<Hit>) -> Sample {
-        let path = self.set_off(tracer, ray, place);
-        tracer.trace_from(path, hit).sample()
+        let mut path = self.set_off(tracer, ray, place);
+        tracer.trace_from(&mut path, hit).sample()
     }
 
     /// A ray of the camera, about to be traced.

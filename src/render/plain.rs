@@ -47,15 +47,16 @@ pub(super) struct Plain<'w> {
 }
 
 impl<'w> Tracer<'w> {
-    /// The layer of a leaf that is that simple; its colour may still be transparent.
+    /// The layer of a leaf which is all there is to it, without bumps and film, and neither grained.
     #[inline]
-    fn plain_layer(&self, leaf: &Leaf) -> Option<&'w Layer> {
+    pub(super) fn only_layer(&self, leaf: &Leaf) -> Option<&'w Layer> {
         let world: &'w _ = self.world;
         let one = leaf.interior_texture.get().is_none() && leaf.own_textures.is_empty();
-        let plain = self.plain && one && leaf.flags.contains(LeafFlags::OPAQUE);
-        let number = leaf.texture.get().filter(|_| plain)?;
+        let number = leaf.texture.get().filter(|_| one)?;
         match world.textures[number as usize].layers_in_place() {
-            Some([layer]) if layer.normal.is_none() => Some(layer),
+            Some([layer]) if layer.normal.is_none() => {
+                Some(layer).filter(|layer| layer.finish.irid.is_none() && layer.finish.crand == 0.0)
+            }
             _ => None,
         }
     }
@@ -64,11 +65,11 @@ impl<'w> Tracer<'w> {
     #[inline(always)]
     fn simple(&mut self, leaf: &Leaf, ray: &Ray, hit: &Hit, surface: &mut Intersection) -> Option<Plain<'w>> {
         let world = self.world;
-        let layer = self.plain_layer(leaf)?;
-        let finish: &Finish = &layer.finish;
-        if finish.irid.is_some() || finish.crand != 0.0 {
+        if !self.plain || !leaf.flags.contains(LeafFlags::OPAQUE) {
             return None;
         }
+        let layer = self.only_layer(leaf)?;
+        let finish: &Finish = &layer.finish;
         *surface = world.geometry.surface(ray, hit);
         let color = match &*layer.pigment {
             Pigment::Color(color) => *color,
@@ -149,7 +150,7 @@ impl<'w> Tracer<'w> {
 
     /// The light that a lamp makes a layer send to the eye.
     #[inline]
-    fn plain_light(
+    pub(super) fn plain_light(
         &mut self,
         at: &Target,
         leaf: &Leaf,

@@ -11,15 +11,25 @@ use crate::world::interior::AIR;
 /// Ratios nearer to 1 than this don't bend.
 const STRAIGHT: f64 = 1e-10;
 
+/// Inside of so many bodies rays mostly are.
+const FEW: usize = 4;
+
 /// The interiors a ray has entered and not left, by number, in the order of entry.
 #[derive(Debug, Default, PartialEq)]
-pub(super) struct Inside(SmallVec<[u32; 4]>);
+pub(super) struct Inside(SmallVec<[u32; FEW]>);
 
 impl Clone for Inside {
-    /// Every ray has its own: most are inside of nothing, and numbers need no cloning one by one.
+    /// Every ray has its own: most are inside of few, which go into registers.
     #[inline]
     fn clone(&self) -> Self {
-        if self.0.is_empty() { Self::default() } else { Self(SmallVec::from_slice(&self.0)) }
+        let mut few = [0; FEW];
+        match few.get_mut(..self.0.len()) {
+            Some(numbers) => {
+                numbers.copy_from_slice(&self.0);
+                Self(SmallVec::from_buf_and_len(few, self.0.len()))
+            }
+            None => Self(SmallVec::from_slice(&self.0)),
+        }
     }
 }
 
@@ -36,6 +46,7 @@ pub(super) struct Passage {
 
 impl Passage {
     /// Whether the ray goes on as it came.
+    #[inline]
     pub(super) fn is_straight(&self) -> bool {
         (self.ratio - 1.0).abs() < STRAIGHT && (self.dispersion - 1.0).abs() < STRAIGHT
     }
@@ -48,6 +59,7 @@ impl Inside {
     }
 
     /// Whether the ray is inside of `interior`.
+    #[inline]
     pub(super) fn contains(&self, interior: u32) -> bool {
         self.0.contains(&interior)
     }
@@ -78,8 +90,12 @@ impl Inside {
     }
 
     /// Leaves `interior` if it had been entered, enters it otherwise.
+    #[inline]
     pub(super) fn toggle(&mut self, interior: u32) {
         match self.0.iter().position(|&i| i == interior) {
+            Some(index) if index + 1 == self.0.len() => {
+                self.0.pop();
+            }
             Some(index) => {
                 self.0.remove(index);
             }
@@ -88,6 +104,7 @@ impl Inside {
     }
 
     /// Goes through a surface of `interior`.
+    #[inline]
     pub(super) fn pass(&self, interior: u32, interiors: &[Arc<Interior>]) -> Passage {
         let mut inside = self.clone();
         inside.toggle(interior);
@@ -109,6 +126,7 @@ impl Inside {
 
     /// The refractive index beyond a surface of `interior` over that on this side, by the rule of
     /// Fresnel reflection: leaving a nested body counts as no change.
+    #[inline]
     pub(super) fn fresnel_index(&self, interior: u32, interiors: &[Arc<Interior>]) -> f64 {
         let ior = interiors[interior as usize].ior;
         match (self.0.last(), self.contains(interior)) {
@@ -123,6 +141,7 @@ impl Inside {
 /// The direction behind a surface; `None` where light is totally reflected.
 ///
 /// `normal` is unit, on either side; `ratio` as in [`Passage::ratio`].
+#[inline]
 pub(super) fn refracted(direction: DVec3, normal: DVec3, ratio: f64) -> Option<DVec3> {
     let facing = if normal.dot(direction) > 0.0 { -normal } else { normal };
     let cosine = -facing.dot(direction);

@@ -132,10 +132,7 @@ impl Tracer<'_> {
         let world = self.world;
         let surface = world.geometry.surface(&path.ray, hit);
         let leaf = world.geometry.parts().leaf(hit.leaf);
-        let interior = &world.interiors[leaf.interior as usize];
-        let fade = interior.fade.as_ref().filter(|_| path.inside.contains(leaf.interior));
-        let fading = fade.map_or(Rgb::ONE, |fade| fade.attenuation(hit.t));
-        let attenuation = fading * interior.refraction;
+        let attenuation = self.attenuation(path, hit, leaf);
         if leaf.flags.contains(LeafFlags::INVISIBLE) && self.quality.transmission && !self.quality.flat {
             let passage = path.inside.pass(leaf.interior, &world.interiors);
             if passage.is_straight() {
@@ -178,6 +175,14 @@ impl Tracer<'_> {
             clear: sum.clear,
         });
         Shaded { color: sum.color, transmit: sum.transmit, onward }
+    }
+
+    /// What the filling of a leaf takes of light that came through it to a hit.
+    #[inline]
+    pub(super) fn attenuation(&self, path: &Path, hit: &Hit, leaf: &Leaf) -> Rgb {
+        let interior = &self.world.interiors[leaf.interior as usize];
+        let fade = interior.fade.as_ref().filter(|_| path.inside.contains(leaf.interior));
+        fade.map_or(Rgb::ONE, |fade| fade.attenuation(hit.t)) * interior.refraction
     }
 
     /// Shades one plain texture, a member of a blend with the share `blend`.
@@ -253,7 +258,7 @@ impl Tracer<'_> {
             let direct = self.direct(at, &surface);
             stack.color += stack.through * (color.rgb * own * opacity + direct);
         }
-        let reflectivity = self.reflectivity(at, finish, normal, color.rgb);
+        let reflectivity = self.reflectivity(at.path, at.leaf, finish, normal, color.rgb);
         let mirror = Mirror::of(finish, reflectivity, *normal, at.path.weight * stack.share);
         if given.is_some() {
             stack.through *= color.through();
@@ -266,7 +271,8 @@ impl Tracer<'_> {
     }
 
     /// How much of its own light a layer shows (docs/spec/shading.md 7).
-    fn opacity(&self, color: &Rgbft) -> f32 {
+    #[inline]
+    pub(super) fn opacity(&self, color: &Rgbft) -> f32 {
         if self.world.settings.version >= 370 {
             color.opacity()
         } else {
@@ -274,15 +280,23 @@ impl Tracer<'_> {
         }
     }
 
-    fn reflectivity(&self, at: &At, finish: &Finish, normal: &DVec3, color: Rgb) -> Option<Reflectivity> {
+    /// How much of what it sees a finish of a leaf mirrors, where it does.
+    #[inline]
+    pub(super) fn reflectivity(
+        &self,
+        path: &Path,
+        leaf: &Leaf,
+        finish: &Finish,
+        normal: &DVec3,
+        color: Rgb,
+    ) -> Option<Reflectivity> {
         let reflection = finish.reflection.as_ref().filter(|_| self.quality.reflection)?;
-        let interior = at.leaf.interior;
         let index = if reflection.fresnel {
-            at.path.inside.fresnel_index(interior, &self.world.interiors)
+            path.inside.fresnel_index(leaf.interior, &self.world.interiors)
         } else {
             1.0
         };
-        let cosine = -at.path.ray.direction.dot(*normal);
+        let cosine = -path.ray.direction.dot(*normal);
         Some(mirror::reflectivity(reflection, cosine, index, color))
     }
 
@@ -359,7 +373,7 @@ impl Tracer<'_> {
     fn refracted(&mut self, at: &At, bent: &Bent, ratio: f64, wavelength: Option<f64>) -> Option<Seen> {
         let direction = refract::refracted(at.path.ray.direction, bent.normal, ratio)?;
         self.statistics.refracted_rays += 1;
-        Some(self.trace(Path {
+        Some(self.trace(&mut Path {
             ray: Ray::new(at.surface.leave(direction), direction),
             level: at.path.level,
             weight: bent.weight,
@@ -371,7 +385,7 @@ impl Tracer<'_> {
 
     fn totally_reflected(&mut self, at: &At, bent: &Bent, wavelength: Option<f64>) -> Seen {
         let direction = mirror::mirrored(at.path.ray.direction, bent.normal, at.surface.normal);
-        let mut seen = self.mirrored(at, direction, bent.weight, wavelength);
+        let mut seen = self.mirrored((at.path, at.surface), direction, bent.weight, wavelength);
         seen.color *= self.film(at, bent.irid.as_ref(), bent.normal, direction);
         seen
     }
@@ -388,7 +402,7 @@ impl Tracer<'_> {
         let leaf = self.world.geometry.parts().leaf(hit.leaf);
         let attenuation = Rgb::ONE;
         let at = At { path, hit, surface, leaf, attenuation, passage: None, plain: true, arrivals: None };
-        let reflectivity = self.reflectivity(&at, finish, &surface.normal, color);
+        let reflectivity = self.reflectivity(path, leaf, finish, &surface.normal, color);
         let mirror = Mirror::of(finish, reflectivity, surface.normal, path.weight);
         mirror.map_or(Rgb::ZERO, |mirror| self.reflection(&at, &mirror))
     }
@@ -399,7 +413,8 @@ impl Tracer<'_> {
             return Rgb::ZERO;
         }
         let direction = mirror::mirrored(at.path.ray.direction, mirror.normal, at.surface.normal);
-        let mut color = self.mirrored(at, direction, mirror.weight, at.path.wavelength).color;
+        let mut color =
+            self.mirrored((at.path, at.surface), direction, mirror.weight, at.path.wavelength).color;
         color *= self.film(at, mirror.irid.as_ref(), mirror.normal, direction);
         if mirror.exponent != 1.0 {
             color = color.powf(mirror.exponent);
@@ -423,19 +438,26 @@ impl Tracer<'_> {
         })
     }
 
-    fn mirrored(&mut self, at: &At, direction: DVec3, weight: f32, wavelength: Option<f64>) -> Seen {
+    /// What is seen from a surface that a path met, in a direction to which it mirrors.
+    pub(super) fn mirrored(
+        &mut self,
+        (path, surface): (&Path, &Intersection),
+        direction: DVec3,
+        weight: f32,
+        wavelength: Option<f64>,
+    ) -> Seen {
         if weight < self.world.settings.adc_bailout {
             self.statistics.bailed_out += 1;
             return Seen::NOTHING;
         }
         self.statistics.reflected_rays += 1;
-        self.trace(Path {
-            ray: Ray::new(at.surface.leave(direction), direction),
-            level: at.path.level,
+        self.trace(&mut Path {
+            ray: Ray::new(surface.leave(direction), direction),
+            level: path.level,
             weight,
             kind: RayKind::REFLECTION,
             wavelength,
-            inside: at.path.inside.clone(),
+            inside: path.inside.clone(),
         })
     }
 }

@@ -243,6 +243,15 @@ impl Tracer<'_> {
             return fading;
         }
         self.statistics.shadow_textures += 1;
+        if self.plain
+            && let Some((_, color)) = self.even_layer(leaf)
+        {
+            if interior.caustics == 0.0 {
+                return color.through() * fading;
+            }
+            let normal = world.geometry.surface(ray, hit).normal;
+            return color.through() * interior.focus(normal.dot(ray.direction)) * fading;
+        }
         let surface = world.geometry.surface(ray, hit);
         let bumpy = self.quality.reflection;
         let mut filter = Rgb::ZERO;

@@ -16,6 +16,7 @@ use crate::math::{DVec3, Rgb};
 use crate::world::accel::Within;
 use crate::world::atmosphere::{Alpha, Sky};
 use crate::world::hit::Hit;
+use crate::world::object::LeafFlags;
 use crate::world::screen::Screen;
 use crate::world::{Light, Range, Ray, RayKind, World};
 
@@ -102,6 +103,8 @@ pub(super) struct Tracer<'w> {
     pub(super) pixel: f64,
     /// Whether anything may be shaded as what is [`plain`](Self::plain).
     pub(super) plain: bool,
+    /// Whether anything may be shaded as what is [`clear`](Self::clear): no interior splits light.
+    pub(super) clear: bool,
     /// Whether no ray of the camera takes random numbers before it is bent or mirrored: there is nothing in the air, and
     /// no lamp is a grid. Nor is any ray of the camera left out.
     pub(super) calm: bool,
@@ -122,6 +125,7 @@ impl<'w> Tracer<'w> {
         let sky = |eye| Seen::of(world.atmosphere.sky(DVec3::Y, alpha, eye, version));
         Self {
             plain,
+            clear: plain && world.interiors.iter().all(|interior| interior.dispersion == 1.0),
             calm: calm && world.settings.max_trace_level > 0 && bailout <= 1.0,
             even_sky: world.atmosphere.is_even().then(|| [false, true].map(sky)),
             world,
@@ -150,13 +154,13 @@ impl<'w> Tracer<'w> {
 
     /// Traces a ray to its end. The tree of bent and mirrored rays is as deep as `max_trace_level`;
     /// straight transmission uses up no level, so it is a loop.
-    pub(super) fn trace(&mut self, path: Path) -> Seen {
+    pub(super) fn trace(&mut self, path: &mut Path) -> Seen {
         self.trace_within(path, f64::INFINITY)
     }
 
     /// The same for a ray that misses what is not nearer than `reach`.
-    pub(super) fn trace_within(&mut self, path: Path, reach: f64) -> Seen {
-        if !self.allowed(&path) {
+    pub(super) fn trace_within(&mut self, path: &mut Path, reach: f64) -> Seen {
+        if !self.allowed(path) {
             return Seen::NOTHING;
         }
         let hit = self.world.geometry.hit(&path.ray, Range { min: 0.0, max: reach }, path.kind);
@@ -164,8 +168,8 @@ impl<'w> Tracer<'w> {
     }
 
     /// The same for a ray of which it is known what it meets first.
-    pub(super) fn trace_from(&mut self, path: Path, hit: &Option<Hit>) -> Seen {
-        if self.allowed(&path) { self.follow(path, hit) } else { Seen::NOTHING }
+    pub(super) fn trace_from(&mut self, path: &mut Path, hit: &Option<Hit>) -> Seen {
+        if self.allowed(path) { self.follow(path, hit) } else { Seen::NOTHING }
     }
 
     /// The same for the first `count` rays of a bundle, where the air is [`calm`](Self::calm); whether they come from the
@@ -190,14 +194,14 @@ impl<'w> Tracer<'w> {
                 (None, None) => show(self.sky(path)),
                 (None, hit) => {
                     self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
-                    show(self.follow(path.clone(), &hit.copied()));
+                    show(self.follow(&mut path.clone(), &hit.copied()));
                 }
             }
         }
     }
 
     /// Follows a ray from what it meets first.
-    fn follow(&mut self, mut path: Path, first: &Option<Hit>) -> Seen {
+    fn follow(&mut self, path: &mut Path, first: &Option<Hit>) -> Seen {
         let mut hit = first;
         let mut beyond;
         let mut room = Room::NEW;
@@ -206,25 +210,31 @@ impl<'w> Tracer<'w> {
         let (mut left, mut clear) = (Rgb::ONE, 1.0);
         path.level += 1;
         loop {
-            if self.is_airy(&path, hit.is_some()) {
-                let veil = self.air(&path, hit.as_ref());
+            if self.is_airy(path, hit.is_some()) {
+                let veil = self.air(path, hit.as_ref());
                 color += left * veil.added;
                 left *= veil.factor;
                 clear *= veil.transmit;
             }
             // By reference: copying what was only just written would wait for it.
             let Some(met) = hit else {
-                let sky = self.sky(&path);
+                let sky = self.sky(path);
                 color += left * sky.color;
                 transmit += clear * sky.transmit;
                 break;
             };
-            let alone = Bundle { rays: [path.ray], hits: [Some(met)], randoms: None };
-            if let [Some(seen)] = self.plain::<1, false>(&mut path, &alone, &mut room) {
-                color += left * seen;
-                break;
-            }
-            let shaded = self.shade(&path, met);
+            let shaded = if self.world.geometry.parts().leaf(met.leaf).flags.contains(LeafFlags::OPAQUE) {
+                let alone = Bundle { rays: [path.ray], hits: [Some(met)], randoms: None };
+                if let [Some(seen)] = self.plain::<1, false>(path, &alone, &mut room) {
+                    color += left * seen;
+                    break;
+                }
+                self.shade(path, met)
+            } else if let Some(shaded) = self.clear(path, met) {
+                shaded
+            } else {
+                self.shade(path, met)
+            };
             color += left * shaded.color;
             transmit += clear * shaded.transmit;
             let Some(onward) = shaded.onward else { break };
@@ -234,7 +244,7 @@ impl<'w> Tracer<'w> {
             path.ray = onward.ray;
             path.weight = onward.weight;
             path.inside = onward.inside;
-            if !self.allowed(&path) {
+            if !self.allowed(path) {
                 break;
             }
             beyond = self.world.geometry.hit(&path.ray, Range::AHEAD, path.kind);
