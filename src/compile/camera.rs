@@ -1,5 +1,6 @@
 //! Compiles the camera.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::Unsupported;
@@ -10,7 +11,7 @@ use crate::scene::shape::{Face, Mesh};
 use crate::world::Camera;
 use crate::world::Ray;
 use crate::world::camera::focal_blur::Lens;
-use crate::world::camera::mesh_camera::{Distribution, Map, Mount, UvFace, normal};
+use crate::world::camera::mesh_camera::{Distribution, Map, Mount, Mounted, UvFace, middle, normal};
 use crate::world::camera::{
     Cylinder, Fisheye, FocalBlur, Frame, MeshCamera, Omnimax, Orthographic, Panoramic, Perspective,
     Projection, Spherical, UltraWideAngle,
@@ -86,16 +87,18 @@ fn mesh_camera(written: &scene::camera::MeshCamera, camera: &scene::Camera) -> M
         offset: camera.location.z,
         reversed: camera.direction.z < -UNLIMITED,
     };
-    let rays = |(mesh, transform): &(Arc<Mesh>, Option<Arc<Transform>>)| -> Vec<Ray> {
-        let mount = mount(transform);
-        let corners = mesh.faces.iter().map(|face| corners(mesh, face));
-        corners.map(|c| mount.ray((c[0] + c[1] + c[2]) / 3.0, normal(c))).collect()
+    // A mesh that is written once may be in many places.
+    let mut known = HashMap::new();
+    let mut mounted = |(mesh, transform): &(Arc<Mesh>, Option<Arc<Transform>>)| {
+        let middles = || mesh.faces.iter().map(|face| middle(corners(mesh, face))).collect();
+        let faces: &Arc<[Ray]> = known.entry(Arc::as_ptr(mesh)).or_insert_with(middles);
+        Mounted { faces: faces.clone(), mount: mount(transform) }
     };
     let meshes = &written.meshes;
     let distribution = match (written.distribution, meshes.first()) {
-        (0, _) | (_, None) => Distribution::Each(meshes.iter().map(rays).collect()),
-        (1, _) => Distribution::All(meshes.iter().flat_map(rays).collect()),
-        (2, _) => Distribution::Columns(meshes.iter().map(rays).collect()),
+        (0, _) | (_, None) => Distribution::Each(meshes.iter().map(&mut mounted).collect()),
+        (1, _) => Distribution::All(meshes.iter().map(&mut mounted).collect()),
+        (2, _) => Distribution::Columns(meshes.iter().map(&mut mounted).collect()),
         (_, Some((mesh, transform))) => {
             let faces = mesh.faces.iter().filter_map(|face| uv_face(mesh, face, written.smooth));
             Distribution::Map(Box::new(Map::new(faces.collect(), mount(transform))))

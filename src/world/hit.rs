@@ -436,6 +436,10 @@ impl Geometry {
 
     /// The objects that a ray from `point` starts in: those of which it is in the box as well.
     pub fn surroundings(&self, point: DVec3) -> SmallVec<[u32; 4]> {
+        let boxed = self.unbounded.is_empty() && self.inverted.is_empty();
+        if boxed && !self.bounded.any_around(point, |_| true) {
+            return SmallVec::new();
+        }
         let mut containers = self.containers(point);
         containers.retain(|&mut number| {
             let object = &self.parts.objects[number as usize];

@@ -1,6 +1,8 @@
 //! `mesh_camera`: rays start on the faces of meshes, along their normals
 //! (docs/spec/camera-image.md 5).
 
+use std::sync::Arc;
+
 use crate::math::{DVec2, DVec3, Transform};
 use crate::world::Ray;
 
@@ -22,11 +24,11 @@ pub struct MeshCamera {
 #[derive(Clone, Debug)]
 pub enum Distribution {
     /// 0: ray `n` comes from mesh `n`.
-    Each(Vec<Vec<Ray>>),
+    Each(Vec<Mounted>),
     /// 1: all meshes one after the other.
-    All(Vec<Ray>),
+    All(Vec<Mounted>),
     /// 2: meshes share the picture's columns.
-    Columns(Vec<Vec<Ray>>),
+    Columns(Vec<Mounted>),
     /// 3: the face that lies there on the uv square.
     Map(Box<Map>),
 }
@@ -57,16 +59,26 @@ impl Place {
 
 impl MeshCamera {
     /// Ray `index` of a place in the picture, its direction unit.
+    #[inline]
     pub fn ray(&self, place: Place, index: u32) -> Option<Ray> {
         match &self.distribution {
-            Distribution::Each(meshes) => meshes.get(index as usize)?.get(place.number()).copied(),
+            Distribution::Each(meshes) => meshes.get(index as usize)?.ray(place.number()),
             // Further rays lie beyond all faces.
-            Distribution::All(faces) => faces.get(place.number()).copied().filter(|_| index == 0),
+            Distribution::All(_) if index > 0 => None,
+            Distribution::All(meshes) => {
+                let mut number = place.number();
+                let mesh = meshes.iter().find(|mesh| {
+                    let is_there = number < mesh.faces.len();
+                    number -= if is_there { 0 } else { mesh.faces.len() };
+                    is_there
+                });
+                mesh?.ray(number)
+            }
             Distribution::Columns(meshes) => {
                 let column = place.clamped();
                 let wide = f64::from(place.size[0]) / meshes.len() as f64;
                 let face = column.y as usize * wide as usize + column.x as usize;
-                meshes.get((column.x / wide) as usize)?.get(face).copied()
+                meshes.get((column.x / wide) as usize)?.ray(face)
             }
             Distribution::Map(map) => map.ray(place),
         }
@@ -93,6 +105,29 @@ impl Mount {
             self.transform.normal(direction).normalize_or_zero(),
         )
     }
+}
+
+/// A mesh in its place.
+#[derive(Clone, Debug)]
+pub struct Mounted {
+    /// The middles of its faces and their unit normals, as the mesh was written; shared, for a camera may have the same
+    /// mesh in a hundred places.
+    pub faces: Arc<[Ray]>,
+    /// Where it is.
+    pub mount: Mount,
+}
+
+impl Mounted {
+    /// The ray of a face.
+    #[inline]
+    fn ray(&self, face: usize) -> Option<Ray> {
+        self.faces.get(face).map(|face| self.mount.ray(face.origin, face.direction))
+    }
+}
+
+/// The middle of a face and its unit normal.
+pub fn middle(corners: [DVec3; 3]) -> Ray {
+    Ray::new((corners[0] + corners[1] + corners[2]) / 3.0, normal(corners))
 }
 
 /// The normal of a face by its corners; zero where they are in line.
@@ -185,9 +220,8 @@ mod tests {
             [o, DVec3::Z, DVec3::X],
             [o, DVec3::X, DVec3::Y],
         ];
-        let faces = corners.map(|c| MOUNT.ray((c[0] + c[1] + c[2]) / 3.0, normal(c))).to_vec();
-        let camera =
-            MeshCamera { rays: 1, reach: f64::INFINITY, distribution: Distribution::Each(vec![faces]) };
+        let faces = vec![Mounted { faces: corners.map(middle).into(), mount: MOUNT }];
+        let camera = MeshCamera { rays: 1, reach: f64::INFINITY, distribution: Distribution::Each(faces) };
         let direction = |x, y| camera.ray(place(x, y), 0).map(|ray| ray.direction);
         for y in [0, 1] {
             assert!(direction(0, y).unwrap().abs_diff_eq(DVec3::new(0.0, 0.2874, -0.9578), 1e-4));
