@@ -47,13 +47,29 @@ pub struct Group {
     pub(super) deciders: u32,
     /// Whether it combines a few convex solids, all hidden from the same rays.
     pub(super) convex: bool,
+    /// Of an intersection of convex solids with one of any shape, all hidden from the same rays, that one.
+    pub(super) odd: Option<u32>,
     /// The planes of such an intersection, if there are more than a few.
     pub(super) facets: Option<Facets>,
-    /// Of an intersection: the place of the only member that is not convex, where that is a solid, all the others are few,
-    /// and all are hidden from the same rays.
-    pub(super) cut: Option<u32>,
     /// Of an intersection: the place of a bounded convex solid, which no other member can exceed.
     pub(super) core: Option<u32>,
+}
+
+/// The leaf of any shape that an intersection with a few convex solids has, all hidden from the same rays.
+fn odd_one(operation: Operation, members: &[Member], parts: &Parts) -> Option<u32> {
+    let (mut odd, mut hidden) = (None, None);
+    for &member in members {
+        let Member::Leaf(number) = member else { return None };
+        let leaf = parts.leaf(number);
+        let solid = leaf.flags.contains(LeafFlags::SOLID) && leaf.limits.is_none();
+        if !solid || *hidden.get_or_insert(leaf.hidden) != leaf.hidden {
+            return None;
+        }
+        if !leaf.is_convex() && (leaf.flags.contains(LeafFlags::INVERTED) || odd.replace(number).is_some()) {
+            return None;
+        }
+    }
+    odd.filter(|_| operation == Operation::Intersection && members.len() <= MOST_BOXED)
 }
 
 /// Whether a compound combines a few convex solids, all hidden from the same rays.
@@ -71,26 +87,6 @@ fn is_convex(operation: Operation, members: &[Member], parts: &Parts) -> bool {
     let boxed = members.iter().filter(|&&member| parts.extent(member).bounds.is_finite()).count();
     let few = members.len() <= MOST_CONVEX && boxed <= MOST_BOXED;
     few && first.is_some() && members.iter().all(|member| hidden(member) == first)
-}
-
-/// The place of the only member that is not convex, if that is a solid, and all are hidden from the same rays.
-fn cut(members: &[Member], parts: &Parts) -> Option<u32> {
-    let mut cut = None;
-    let mut hidden = None;
-    for (place, &member) in (0..).zip(members.iter()) {
-        let Member::Leaf(number) = member else { return None };
-        let leaf = parts.leaf(number);
-        if *hidden.get_or_insert(leaf.hidden) != leaf.hidden {
-            return None;
-        }
-        if !leaf.is_convex() {
-            let whole = leaf.flags.contains(LeafFlags::SOLID) && leaf.limits.is_none();
-            if !whole || leaf.flags.contains(LeafFlags::INVERTED) || cut.replace(place).is_some() {
-                return None;
-            }
-        }
-    }
-    cut
 }
 
 impl Group {
@@ -118,11 +114,6 @@ impl Group {
         let boxes = (0..).zip(&members).filter(|&(_, &member)| is_finite(member));
         let boxes = boxes.map(|(place, &member)| (parts.extent(member).bounds, place));
         let convex = is_convex(operation, &members, parts);
-        let cut = if operation == Operation::Intersection && members.len() <= MOST_BOXED {
-            cut(&members, parts)
-        } else {
-            None
-        };
         let facets = convex && operation == Operation::Intersection;
         Self {
             facets: facets.then(|| Facets::new(&members, |number| parts.leaf(number))).flatten(),
@@ -131,7 +122,7 @@ impl Group {
             wide: members.iter().copied().filter(|&m| !is_finite(m) || decides(m)).collect(),
             deciders: members.iter().filter(|&&m| is_finite(m) && decides(m)).count() as u32,
             convex,
-            cut,
+            odd: odd_one(operation, &members, parts),
             core: core.filter(|_| operation == Operation::Intersection),
             operation,
             members,

@@ -213,6 +213,34 @@ fn clips_cut_the_same_whatever_they_are_made_of() {
 }
 
 #[test]
+fn a_ring_among_convex_solids_is_met_as_among_unions() {
+    let ring = || moved(object(Shape::Torus { major: 0.7, minor: 0.3 }), Transform::rotate(40. * X));
+    // A compound in their place asks for all crossings of the ring.
+    let of_two =
+        |solid: Arc<Object>| merge([solid.clone(), moved(solid, Transform::scale(DVec3::splat(0.9)))]);
+    let corner = || cube(v(0., -2., -2.), v(2., 2., 0.1));
+    let hole = || sphere(v(-0.5, 0.2, 0.1), 0.4);
+    let slab = || cube(v(-2., -0.3, -2.), v(2., 0.5, 2.));
+    let mut numbers = Numbers(11);
+    for [simple, compound] in [
+        [difference([ring(), corner()]), difference([ring(), of_two(corner())])],
+        [
+            difference([ring(), corner(), hole()]),
+            difference([ring(), corner(), union([hole(), sphere(9. * X, 0.1)])]),
+        ],
+        [
+            intersection([ring(), slab(), inverse(hole())]),
+            intersection([ring(), union([slab(), sphere(9. * X, 0.1)]), inverse(hole())]),
+        ],
+    ] {
+        let both = [probe(&simple), probe(&compound)];
+        let ways = (0..3000).map(|_| [1.5 * numbers.vector(), numbers.vector()]);
+        let hits = met_alike(&both, ways);
+        assert!(hits > 800, "{hits}");
+    }
+}
+
+#[test]
 fn planes_around_a_box_are_met_as_the_box_is() {
     let by = Transform::rotate(v(10., 20., 30.)).then(&Transform::translate(v(0.1, -0.2, 0.3)));
     let planes = || [X, -X, Y, -Y, Z].map(|normal| plane(normal, 0.7)).into_iter();

@@ -11,6 +11,7 @@
 mod along;
 mod convex;
 mod gather;
+mod odd;
 mod scratch;
 mod soon;
 mod survive;
@@ -76,7 +77,18 @@ impl Parts {
 
     /// As [`Parts::nearest`], for what is cut or made of several primitives.
     fn nearest_of_many(&self, member: Member, ray: &Ray, range: Range, kind: RayKind) -> Option<Found> {
-        match self.nearest_soon(member, ray, range, kind) {
+        let soon = match member {
+            // Most compounds are cut out of a few convex solids, and by nothing else.
+            Member::Group(number) if self.group(number).convex && self.group(number).limits.is_none() => {
+                let group = self.group(number);
+                if self.is_hidden(group, kind) {
+                    return None;
+                }
+                self.nearest_of_convex(group, ray, range)
+            }
+            _ => self.nearest_soon(member, ray, range, kind),
+        };
+        match soon {
             Ok(nearest) => nearest,
             Err(Unclear) => self.nearest_of_any(member, ray, range, kind),
         }

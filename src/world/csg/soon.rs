@@ -14,7 +14,7 @@ use crate::world::shape::{Primitive, Shape};
 pub(super) struct Unclear;
 
 /// How far apart crossings of a ray may be that coincide, and some more.
-struct Room {
+pub(super) struct Room {
     /// At the ray's origin.
     least: f64,
     /// For each unit of distance.
@@ -23,13 +23,13 @@ struct Room {
 
 impl Room {
     /// So many times as much as rounding may take.
-    fn new(ray: &Ray, times: f64) -> Self {
+    pub(super) fn new(ray: &Ray, times: f64) -> Self {
         let growth = times * COARSE;
         Self { least: growth * ray.origin.abs().max_element() / ray.direction.length(), growth }
     }
 
     /// At a distance; none where that is not finite.
-    fn at(&self, t: f64) -> f64 {
+    pub(super) fn at(&self, t: f64) -> f64 {
         if t.is_finite() { self.least + self.growth * t.abs() } else { 0.0 }
     }
 }
@@ -142,12 +142,15 @@ impl Parts {
             }
             Member::Group(number) => {
                 let group = self.group(number);
-                if !group.convex && group.operation != Operation::Union {
+                let simple = group.convex || group.odd.is_some();
+                if !simple && group.operation != Operation::Union {
                     Err(Unclear)
-                } else if !self.admits(member, ray) || group.convex && self.is_hidden(group, kind) {
+                } else if !self.admits(member, ray) || simple && self.is_hidden(group, kind) {
                     Ok(None)
                 } else if group.convex {
                     self.nearest_of_convex(group, ray, range)
+                } else if let Some(odd) = group.odd {
+                    self.nearest_of_odd(group, odd, ray, range)
                 } else {
                     self.nearest_of_union(group, ray, range, kind)
                 }
@@ -208,27 +211,26 @@ impl Parts {
             }
             Member::Group(number)
                 if let group = self.group(number)
-                    && let Some(cut) = group.cut
+                    && let Some(odd) = group.odd
                     && self.is_whole(member) =>
             {
                 if self.is_hidden(group, kind) || !self.admits(member, ray) {
                     return Ok(false);
                 }
-                self.occludes_cut((group, cut), ray, range)
+                self.occludes_odd((group, odd), ray, range)
             }
             _ => Ok(self.nearest_soon(member, ray, range, kind)?.is_some()),
         }
     }
 
-    /// The same for a solid, the member at a place, that convex solids cut.
-    fn occludes_cut(&self, (group, place): (&Group, u32), ray: &Ray, range: Range) -> Result<bool, Unclear> {
-        let Member::Leaf(solid) = group.members[place as usize] else { return Err(Unclear) };
-        let others = (0..).zip(&group.members).filter(|&(other, _)| other != place);
-        let Some(window) = Window::new(self, others.map(|(_, &member)| member), ray)? else {
+    /// The same for a leaf that convex solids cut.
+    fn occludes_odd(&self, (group, odd): (&Group, u32), ray: &Ray, range: Range) -> Result<bool, Unclear> {
+        let others = group.members.iter().copied().filter(|&member| member != Member::Leaf(odd));
+        let Some(window) = Window::new(self, others, ray)? else {
             return Ok(false);
         };
         let Some(part) = window.of(range) else { return Ok(false) };
-        let leaf = self.leaf(solid);
+        let leaf = self.leaf(odd);
         if let Some(crossing) = leaf.primitive.nearest(&leaf.asked(ray), part) {
             return if window.holds(crossing.t) { Ok(true) } else { Err(Unclear) };
         }

@@ -294,26 +294,28 @@ impl Curve {
 
 /// Calls back with every argument between two `ends` at which `value` changes sign, given `seeds` near which it
 /// may, ascending. What touches zero and returns doesn't count, and a zero at an end counts for one of the
-/// stretches that share it, so that crossings stay in pairs.
+/// stretches that share it, so that crossings stay in pairs. Between arguments that are not `near` changes are of no
+/// interest.
 #[inline(always)]
 pub(super) fn sign_changes(
     seeds: &[f64],
     ends: [f64; 2],
     value: impl Fn(f64) -> f64,
+    near: impl Fn(f64, f64) -> bool,
     mut found: impl FnMut(f64),
 ) {
     let mut from = (ends[0], value(ends[0]));
     for (place, &seed) in seeds.iter().enumerate() {
         let w = seeds.get(place + 1).map_or(ends[1], |next| 0.5 * (seed + next));
         let to = (w, value(w));
-        if (from.1 > 0.0) != (to.1 > 0.0) {
+        if (from.1 > 0.0) != (to.1 > 0.0) && near(from.0, to.0) {
             found(change_near(seed, NEXT * (ends[1] - ends[0]), from, to, &value));
         }
         from = to;
     }
     if seeds.is_empty() {
         let to = (ends[1], value(ends[1]));
-        if (from.1 > 0.0) != (to.1 > 0.0) {
+        if (from.1 > 0.0) != (to.1 > 0.0) && near(from.0, to.0) {
             found(between(from, to, &value));
         }
     }

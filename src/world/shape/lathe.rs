@@ -1,5 +1,6 @@
 //! `lathe` (docs/spec/primitives.md 6.1).
 
+use std::cell::Cell;
 use std::f64::consts::TAU;
 
 use smallvec::SmallVec;
@@ -22,6 +23,9 @@ pub struct Lathe {
 
 /// Rays that rise less than this for each unit of their way about the axis are flat.
 const FLAT: f64 = 1.0 / 16.0;
+
+/// Crossings are surely no farther than this from the distances between which they are, in parts of these.
+const FAR: f64 = 1e-9;
 
 /// Places on a segment near which something changes its sign.
 type Seeds = SmallVec<[f64; 11]>;
@@ -106,17 +110,38 @@ impl Passing {
         seeds.extend(roots.as_slice().iter().map(|beside| level + beside));
     }
 
-    /// Calls back with the place on the segment and the distance of every crossing.
-    fn meet(&self, segment: &Segment, mut found: impl FnMut(f64, f64)) {
+    /// Whether a crossing between two places of a segment may be `near`, where the ray passes these at a `distance`.
+    #[inline(always)]
+    fn may_be_near(
+        segment: &Segment,
+        [from, to]: [f64; 2],
+        distance: impl Fn(DVec2) -> f64,
+        near: impl Fn([f64; 2]) -> bool,
+    ) -> bool {
+        let (start, end) = (segment.point(from), segment.point(to));
+        // Elsewhere distances rise and fall between the two.
+        let steady = segment.is_straight() && start.x * end.x >= 0.0;
+        !steady || near([distance(start), distance(end)])
+    }
+
+    /// Calls back with the place on the segment and the distance of every crossing between distances that are `near`.
+    fn meet(&self, segment: &Segment, near: impl Fn([f64; 2]) -> bool, mut found: impl FnMut(f64, f64)) {
+        if self.up > 0.5 * self.out {
+            let [low, high] = segment.hull().map(|p| (p.y - self.height) / self.up);
+            let room = FAR * self.height.abs();
+            if !near([low - room, high + room]) {
+                return;
+            }
+        }
         let mut seeds = self.seeds(segment);
         if self.up > self.out {
+            let rise = |p: DVec2| (p.y - self.height) / self.up;
             sign_changes(
                 &seeds,
                 [0.0, 1.0],
                 |w| self.gap(segment.point(w)),
-                |w| {
-                    found(w, (segment.point(w).y - self.height) / self.up);
-                },
+                |from, to| Self::may_be_near(segment, [from, to], rise, &near),
+                |w| found(w, rise(segment.point(w))),
             );
             return;
         }
@@ -136,14 +161,16 @@ impl Passing {
         }
         seeds.sort_unstable_by(f64::total_cmp);
         for branch in [-1.0, 1.0] {
+            let distance = |p: DVec2| branch * self.along(p) / self.out;
             sign_changes(
                 &seeds,
                 [0.0, 1.0],
                 |w| self.above(segment.point(w), branch),
+                |from, to| Self::may_be_near(segment, [from, to], distance, &near),
                 |w| {
                     let on = segment.point(w);
                     if on.x * on.x >= self.nearest {
-                        found(w, branch * self.along(on) / self.out);
+                        found(w, distance(on));
                     }
                 },
             );
@@ -184,14 +211,11 @@ fn square(p: [f64; 4]) -> [f64; 7] {
     out
 }
 
-impl Shape for Lathe {
-    fn bounds(&self) -> Bounds {
-        let [low, high] = self.profile.hull();
-        let radius = low.x.abs().max(high.x.abs());
-        Bounds::new(DVec3::new(-radius, low.y, -radius), DVec3::new(radius, high.y, radius))
-    }
-
-    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+impl Lathe {
+    /// Calls back with the crossings in a range, in no order; `visit` answers with the end of what is of interest from
+    /// then on.
+    #[inline(always)]
+    fn visit(&self, ray: &Ray, range: Range, mut visit: impl FnMut(Crossing) -> f64) {
         let speed = ray.direction.length();
         let d = ray.direction / speed;
         let flat = DVec2::new(d.x, d.z);
@@ -212,7 +236,13 @@ impl Shape for Lathe {
             up: d.y.abs(),
         };
         let sense = if d.y < 0.0 { -1.0 } else { 1.0 };
-        let from = out.len();
+        let range = Cell::new(range);
+        let near = |ends: [f64; 2]| {
+            let Range { min, max } = range.get();
+            let [one, other] = ends.map(|t| (sense * t + start) / speed);
+            let room = FAR * ((ends[0].abs() + ends[1].abs() + start.abs()) / speed);
+            one.min(other) - room < max && one.max(other) + room > min
+        };
         widest(
             #[inline(always)]
             || {
@@ -220,10 +250,11 @@ impl Shape for Lathe {
                     #[inline(always)]
                     |hulls| passing.reaches(hulls),
                     |part, segment| {
-                        passing.meet(segment, |w, t| {
+                        passing.meet(segment, near, |w, t| {
                             let t = (sense * t + start) / speed;
-                            if range.contains(t) {
-                                out.push(Crossing { t, part, at: [w, 0.0] });
+                            let Range { min, max } = range.get();
+                            if min < t && t < max {
+                                range.set(Range { min, max: visit(Crossing { t, part, at: [w, 0.0] }) });
                             }
                         });
                         false
@@ -231,7 +262,32 @@ impl Shape for Lathe {
                 );
             },
         );
+    }
+}
+
+impl Shape for Lathe {
+    fn bounds(&self) -> Bounds {
+        let [low, high] = self.profile.hull();
+        let radius = low.x.abs().max(high.x.abs());
+        Bounds::new(DVec3::new(-radius, low.y, -radius), DVec3::new(radius, high.y, radius))
+    }
+
+    fn crossings(&self, ray: &Ray, range: Range, out: &mut Vec<Crossing>) {
+        let from = out.len();
+        self.visit(ray, range, |crossing| {
+            out.push(crossing);
+            range.max
+        });
         out[from..].sort_by(|a, b| a.t.total_cmp(&b.t));
+    }
+
+    fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
+        let mut nearest = None;
+        self.visit(ray, range, |crossing| {
+            nearest = Some(crossing);
+            crossing.t
+        });
+        nearest
     }
 
     fn inside(&self, point: DVec3) -> bool {

@@ -91,6 +91,7 @@ impl Prism {
                 seeds.as_slice(),
                 [0.0, 1.0],
                 |w| side(segment.point(w)),
+                |_, _| true,
                 |w| enough |= found(distance(w, segment), part, w),
             );
             enough

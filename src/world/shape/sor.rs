@@ -186,7 +186,7 @@ impl Sor {
             segment.at(y).0 - (p.x * p.x + p.z * p.z)
         };
         let seeds = roots_between::<4>(&cubic, ends[0], ends[1]);
-        sign_changes(seeds.as_slice(), ends, value, found);
+        sign_changes(seeds.as_slice(), ends, value, |_, _| true, found);
     }
 
     /// Whether an end that the ray meets is there.
