@@ -1,7 +1,9 @@
 //! `height_field` (docs/spec/primitives.md 5.4).
 
 mod along;
+mod cells;
 
+use self::cells::{Cells, Way};
 use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape};
 use crate::math::wide::widest;
@@ -25,32 +27,10 @@ pub struct HeightField {
     water: f64,
     smooth: bool,
     bounds: Bounds,
+    cells: Cells,
     /// Over blocks of cells.
     bvh: Bvh,
-    /// Blocks along x.
-    blocks: usize,
 }
-
-/// A ray in cells along x and z and steps of height.
-struct Way {
-    /// Where it starts.
-    x: f64,
-    y: f64,
-    z: f64,
-    /// How it goes along z, and along x and y for each cell of that.
-    along_z: f64,
-    slope: f64,
-    climb: f64,
-}
-
-/// Cells along each side of a block.
-const BLOCK: usize = 4;
-
-/// How far above and below a cell's box, in samples' steps, a ray is still taken to go through it.
-const UNSURE: f64 = 1e-6;
-
-/// How far beside its cells a ray is looked for, in cells, and as a share of its distances.
-const BESIDE: [f64; 2] = [1e-9, 1e-12];
 
 /// Samples that make a height of 1; its reciprocal is exact.
 const FULL: f64 = 65536.0;
@@ -66,19 +46,25 @@ impl HeightField {
         if width < 2 || depth < 2 || width.checked_mul(depth) != Some(heights.len()) {
             return None;
         }
-        let blocks = size.map(|samples| (samples - 1).div_ceil(BLOCK));
-        let places = size.map(|samples| {
+        let places: [Vec<f64>; 2] = size.map(|samples| {
             let last = (samples - 1) as f64;
             (0..samples).map(|sample| sample as f64 / last).collect()
         });
-        let bvh = Bvh::over_grid(&[], 0);
-        let bounds = Bounds::EMPTY;
-        let field = Self { size, heights, places, water, smooth, bounds, bvh, blocks: blocks[0] };
-        let boxes: Vec<_> = (0..blocks[0] * blocks[1]).map(|block| field.block(block)).collect();
+        let cells = Cells::new(size, &heights);
+        let [along_x, along_z] = &places;
+        let boxes = (0..cells.blocks()).map(|block| {
+            let ([xs, zs], [least, most]) = (cells.within(block), cells.extremes(block));
+            Bounds {
+                min: DVec3::new(along_x[xs.start], f64::from(least) / FULL, along_z[zs.start]),
+                max: DVec3::new(along_x[xs.end], f64::from(most) / FULL, along_z[zs.end]),
+            }
+        });
+        let boxes: Vec<_> = boxes.collect();
         let mut bounds = boxes.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
         bounds.min.y = bounds.min.y.max(water);
         let bounds = if bounds.is_empty() { Bounds::EMPTY } else { bounds };
-        Some(Self { bvh: Bvh::over_grid(&boxes, blocks[0]), bounds, ..field })
+        let bvh = Bvh::over_grid(&boxes, cells.blocks_along_x());
+        Some(Self { size, heights, places, water, smooth, bounds, cells, bvh })
     }
 
     fn height(&self, x: usize, z: usize) -> f64 {
@@ -91,71 +77,6 @@ impl HeightField {
         DVec3::new(self.places[0][x], self.height(x, z) * FULL.recip(), self.places[1][z])
     }
 
-    /// The cells of a block along x and z.
-    fn cells(&self, block: usize) -> [std::ops::Range<usize>; 2] {
-        let along = |block: usize, samples: usize| block * BLOCK..((block + 1) * BLOCK).min(samples - 1);
-        [along(block % self.blocks, self.size[0]), along(block / self.blocks, self.size[1])]
-    }
-
-    fn block(&self, block: usize) -> Bounds {
-        let [xs, zs] = self.cells(block);
-        let (mut least, mut most) = (u16::MAX, 0);
-        for z in zs.start..zs.end + 1 {
-            let row = &self.heights[z * self.size[0]..][xs.start..xs.end + 1];
-            // A whole block's row is of a length that is known.
-            let ends = match <&[u16; BLOCK + 1]>::try_from(row) {
-                Ok(row) => extremes(row),
-                Err(_) => extremes(row),
-            };
-            (least, most) = (least.min(ends.0), most.max(ends.1));
-        }
-        let [along_x, along_z] = &self.places;
-        Bounds {
-            min: DVec3::new(along_x[xs.start], f64::from(least) / FULL, along_z[zs.start]),
-            max: DVec3::new(along_x[xs.end], f64::from(most) / FULL, along_z[zs.end]),
-        }
-    }
-
-    /// Calls back with the cells of a block whose boxes a ray goes through, or nearly.
-    #[inline(always)]
-    fn cells_along(&self, way: &Way, block: u32, mut found: impl FnMut(usize, usize)) {
-        let [xs, zs] = self.cells(block as usize);
-        let Way { x, y, z, along_z, slope, climb } = *way;
-        let [room, share] = BESIDE;
-        for row in zs {
-            let (near, far) = (row as f64 - z, row as f64 + 1.0 - z);
-            if along_z == 0.0 && (near > room || far < -room) {
-                continue;
-            }
-            // Where it comes into the row and leaves it.
-            let way = z.abs() + row as f64;
-            let ends = [near * slope, far * slope];
-            let room = room + share * (x.abs() + way * slope.abs());
-            let low = (x + ends[0].min(ends[1]) - room).floor();
-            let high = (x + ends[0].max(ends[1]) + room).floor();
-            // What is no number may be anywhere.
-            let from = if low > xs.start as f64 { low.min(xs.end as f64) as usize } else { xs.start };
-            let to = if high < xs.end as f64 { (high + 1.0).max(0.0) as usize } else { xs.end };
-            if from >= to {
-                continue;
-            }
-            let heights = [y + near * climb, y + far * climb];
-            let room = UNSURE + share * (y.abs() + way * climb.abs());
-            let (least, most) = (heights[0].min(heights[1]) - room, heights[0].max(heights[1]) + room);
-            let width = self.size[0];
-            let below = &self.heights[row * width..][from..=to];
-            let above = &self.heights[(row + 1) * width..][from..=to];
-            for column in from..to {
-                let i = column - from;
-                let [a, b, c, d] = [below[i], below[i + 1], above[i], above[i + 1]];
-                let (bottom, top) = (a.min(b).min(c.min(d)), a.max(b).max(c.max(d)));
-                if !(f64::from(bottom) > most || f64::from(top) < least) {
-                    found(column, row);
-                }
-            }
-        }
-    }
-
     /// The corners of a part, in the order of a crossing's weights.
     fn triangle(&self, part: u32) -> [DVec3; 3] {
         let (cell, far) = (part as usize / 2, part % 2 == 1);
@@ -165,23 +86,26 @@ impl HeightField {
         [first, self.corner(x + 1, z), self.corner(x, z + 1)]
     }
 
-    /// Calls back with everything a ray meets above the water; the answer is a new upper end.
+    /// Calls back with everything a ray meets above the water; the answer is a new upper end, to which more may come.
     #[inline(always)]
     fn walk(&self, ray: &Ray, range: Range, mut found: impl FnMut(u32, Meeting) -> Option<f64>) {
         widest(
             #[inline(always)]
             || {
                 let sheared = Sheared::new(ray);
-                let way = self.way(ray);
+                let scale = DVec3::new((self.size[0] - 1) as f64, FULL, (self.size[1] - 1) as f64);
+                let in_cells = Ray { origin: ray.origin * scale, direction: ray.direction * scale };
+                let way = Way::new(&in_cells, self.size);
                 let mut max = range.max;
                 self.bvh.along(
                     ray,
                     range,
                     #[inline(always)]
                     |block| {
-                        self.cells_along(
+                        self.cells.along(
                             &way,
-                            block,
+                            block as usize,
+                            Range { min: range.min, max },
                             #[inline(always)]
                             |x, z| {
                                 // Two triangles, as in `triangle`.
@@ -194,10 +118,11 @@ impl HeightField {
                                     // The triangle's own height: the ray's would fray what lies level with the
                                     // water.
                                     let is_above = || blend([near, right, far], hit.at).y >= self.water;
-                                    if range.min < hit.t && hit.t < max && is_above() {
+                                    if range.contains(hit.t) && hit.t <= max && is_above() {
                                         max = found(part, hit).unwrap_or(max);
                                     }
                                 }
+                                max
                             },
                         );
                         max
@@ -210,20 +135,6 @@ impl HeightField {
     /// A corner's height where there is water over what lies lower.
     fn height_over_water(&self, x: usize, z: usize) -> f64 {
         (self.height(x, z) / FULL).max(self.water)
-    }
-
-    /// A ray as the grid sees it.
-    fn way(&self, ray: &Ray) -> Way {
-        let scale = [(self.size[0] - 1) as f64, (self.size[1] - 1) as f64];
-        let (along_x, along_z) = (ray.direction.x * scale[0], ray.direction.z * scale[1]);
-        Way {
-            x: ray.origin.x * scale[0],
-            y: ray.origin.y * FULL,
-            z: ray.origin.z * scale[1],
-            along_z,
-            slope: if along_x == 0.0 { 0.0 } else { along_x / along_z },
-            climb: ray.direction.y * FULL / along_z,
-        }
     }
 
     /// The normal POV-Ray keeps for a sample: the mean of up to four triangles around it, in the space
@@ -248,16 +159,6 @@ impl HeightField {
     }
 }
 
-/// The least and the greatest.
-#[inline(always)]
-fn extremes(row: &[u16]) -> (u16, u16) {
-    let (mut least, mut most) = (u16::MAX, 0);
-    for height in row {
-        (least, most) = (least.min(*height), most.max(*height));
-    }
-    (least, most)
-}
-
 impl Shape for HeightField {
     fn bounds(&self) -> Bounds {
         self.bounds
@@ -279,9 +180,12 @@ impl Shape for HeightField {
     }
 
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        let mut nearest = None;
+        let mut nearest: Option<Crossing> = None;
         self.walk(ray, range, |part, hit| {
-            nearest = Some(Crossing { t: hit.t, part, at: hit.at });
+            // Of two at the very same distance the lesser part, in whatever order they come.
+            if nearest.is_none_or(|kept| hit.t < kept.t || part < kept.part) {
+                nearest = Some(Crossing { t: hit.t, part, at: hit.at });
+            }
             Some(hit.t)
         });
         nearest
