@@ -1,4 +1,5 @@
-//! Boxes around what planes and quadrics have in common, none of which has a box of its own.
+//! Boxes around what planes and quadrics have in common, none of which has a box of its own, and around what planes
+//! leave of turned solids.
 
 use super::extent::half_space;
 use super::object::{Leaf, LeafFlags};
@@ -70,7 +71,8 @@ pub fn cut<'a>(leaves: impl Iterator<Item = &'a Leaf> + Clone, known: Bounds) ->
     }
     for leaf in leaves.filter(|leaf| !leaf.flags.intersects(LeafFlags::INVERTED | LeafFlags::BEYOND)) {
         let (Some(place), own) = (&leaf.transform, leaf.primitive.bounds()) else { continue };
-        if !own.is_finite() {
+        // What has a box of its own may be inside without end: discs, height fields.
+        if !own.is_finite() || !leaf.extent().bounds.is_finite() {
             continue;
         }
         let inner = half_spaces.iter().map(|half| half.seen_from(place));

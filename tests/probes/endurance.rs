@@ -21,6 +21,38 @@ fn parallel_mirrors_are_followed_250_levels_deep() {
 }
 
 #[test]
+fn what_one_solid_of_any_shape_and_convex_ones_share_looks_and_shades_the_same_on_every_way() {
+    // A far ball beside a cutter makes a compound of it, of which all crossings are asked.
+    for (solid, cutter) in [
+        ("cylinder{-2*y,2*y,1 open rotate 20*z}", "plane{y,.5}"),
+        ("cylinder{-2*y,0,1 open}", "plane{y,1}"),
+        ("cone{-2*y,1.5,y,.3 open rotate 30*x}", "box{<-3,-.8,-3>,<3,.4,3>}"),
+        (
+            "height_field{function 16,16{.5+.4*sin(9*x)*cos(7*y)} translate -.5 scale 3 rotate 25*y}",
+            "plane{y,-.4}",
+        ),
+        (
+            "height_field{function 16,16{x*y} translate -.5 scale 2 rotate <5,30,9>}",
+            "box{<-1.5,-2,-.5>,<1.5,.2,.6>}",
+        ),
+        ("disc{0,y,1.2 rotate 15*x}", "box{-.8,.9}"),
+        ("prism{linear_spline 0,1,4,<-1,-1>,<1,-1>,<0,1>,<-1,-1> open rotate 25*z}", "plane{y,.4}"),
+        ("torus{.8,.3 rotate 50*x}", "sphere{<.3,.2,-.4>,.8 inverse}"),
+    ] {
+        let [short, general] = ["", "sphere{1e4*x,.1}"].map(|beside| {
+            let cutter = if beside.is_empty() { cutter.to_owned() } else { format!("union{{{cutter} {beside}}}") };
+            let sdl = format!(
+                "camera{{location <0,1.5,-7> look_at 0}} light_source{{<2,9,-3> rgb 1}} light_source{{<-3,-1.5,-6> rgb .5}}
+                intersection{{{solid} {cutter} pigment{{rgb <1,.7,.2>}}}} plane{{y,-2.5 pigment{{rgb 1}}}}"
+            );
+            picture(&scene(&sdl, "3.7"), &RenderOptions::new(64, 48)).unwrap().image
+        });
+        let unlike = short.pixels.iter().zip(&general.pixels).filter(|(a, b)| a != b).count();
+        assert_eq!(unlike, 0, "{solid} {cutter}");
+    }
+}
+
+#[test]
 fn linear_search_octree_and_tree_of_boxes_make_the_same_picture() {
     let sdl = "camera{location <0,3,-12> look_at 0} light_source{<5,9,-8> rgb 1}
         #declare R=seed(4); #declare N=function(x){sin(x*12.9898)*43758.5453-int(sin(x*12.9898)*43758.5453)};

@@ -4,8 +4,8 @@
 //! these say that colours change evenly they are all it takes. Elsewhere the place where colours jump is searched along
 //! each side by halving, and a pixel that one edge divides in two gets as much of either colour as lies on that side of
 //! the edge: a few samples find it to a hundredth of a pixel, where samples spread over the pixel need hundreds. What
-//! is not divided in two ([`cell`]) is cut into quarters, which are looked at alike, and so are its neighbours, where it
-//! may go on between all places that were looked at. Where most of a pixel is of that kind, as patterns finer than
+//! is not divided in two ([`cell`]) is cut into quarters, which are looked at alike, and so are its neighbours in the
+//! block, where it may go on between all places that were looked at. Where most of a pixel is of that kind, as patterns finer than
 //! pixels are, samples are spread over it ([`adaptive`](super::adaptive)).
 
 mod cell;
@@ -93,8 +93,9 @@ pub(super) fn edges(
     // What is to be looked at closer, and whether it is finer than pixels.
     let mut open: Vec<(usize, bool)> = Vec::new();
     for number in (0..pixels.kinds.len()).filter(|&number| pixels.kinds[number] == Kind::Manifold) {
+        let count = pixels.around(number).count();
         let plain = pixels.around(number).filter(|&next| pixels.kinds[next] != Kind::Manifold).count();
-        open.push((number, plain < 2));
+        open.push((number, 2 * plain < count));
     }
     let mut beside_fine = vec![0; pixels.kinds.len()];
     while let Some((number, is_fine)) = open.pop() {
@@ -103,7 +104,7 @@ pub(super) fn edges(
             continue;
         }
         let cut = if is_fine { None } else { pixels.quarters(number, look) };
-        match cut.filter(|(_, uneven)| *uneven < MOST) {
+        match cut {
             Some((color, uneven)) => {
                 (pixels.kinds[number], pixels.colors[number]) = (Kind::Cut, color);
                 if uneven > 0 {
@@ -225,12 +226,13 @@ impl<'a> Pixels<'a> {
         }
     }
 
-    /// The mean colour of the quarters of a pixel, and how many of them are not even; `None` if it may not be cut.
+    /// The mean colour of the quarters of a pixel, and how many of them are not even; `None` if these are too many, or it
+    /// may not be cut.
     fn quarters(&self, number: usize, look: &mut dyn Look) -> Option<(Sample, usize)> {
         let (x, y) = self.at(number);
         let from = DVec2::new(x.into(), y.into()) - 0.5;
         let cell = Cell::new(self.aim, from, self.corners_of(number), self.middles[number]);
-        (self.aim.depth > 0).then(|| cell.quarters(self.aim, look))
+        if self.aim.depth > 0 { cell.quarters(MOST - 1, self.aim, look) } else { None }
     }
 }
 

@@ -81,14 +81,14 @@ impl Window {
         t > self.enter[0] + self.enter[1] && t < self.leave[0] - self.leave[1]
     }
 
-    /// Whether an end of it is in a range.
-    fn ends_in(&self, range: Range) -> Result<bool, Unclear> {
-        let mut ends = false;
-        for [t, room] in [self.enter, self.leave] {
+    /// Its ends, if they are in a range.
+    fn ends_in(&self, range: Range) -> Result<[Option<f64>; 2], Unclear> {
+        let mut ends = [None; 2];
+        for (end, [t, room]) in ends.iter_mut().zip([self.enter, self.leave]) {
             if (t - range.min).abs() <= room || (t - range.max).abs() <= room {
                 return Err(Unclear);
             }
-            ends |= range.contains(t);
+            *end = range.contains(t).then_some(t);
         }
         Ok(ends)
     }
@@ -234,9 +234,8 @@ impl Parts {
         if let Some(crossing) = leaf.primitive.nearest(&leaf.asked(ray), part) {
             return if window.holds(crossing.t) { Ok(true) } else { Err(Unclear) };
         }
-        // All of the part is inside the solid or outside: inside, what cuts it is its surface.
-        let middle = ray.at(0.5 * (part.min + part.max));
-        Ok(window.ends_in(range)? && middle.is_finite() && leaf.contains(middle))
+        // Inside the solid, what cuts it is its surface.
+        Ok(window.ends_in(range)?.into_iter().flatten().any(|end| leaf.contains(ray.at(end))))
     }
 
     /// Whether nothing of a member is clipped away.

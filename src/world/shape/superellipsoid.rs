@@ -278,4 +278,17 @@ mod tests {
         );
         table(&make(0.0, 0.0), "from <0.1,0.2,-5> dir <0,0,1> | P <0.1, 0.2, -1> N <0, 0, -1>");
     }
+
+    #[test]
+    fn spikes_thinner_than_numbers_are_looked_for_no_longer_than_others() {
+        for exponents in [[3000.0, 1.0], [1.0, 3000.0], [1e300, 1e300]] {
+            let solid = make(exponents[0], exponents[1]);
+            for (origin, to) in
+                [(DVec3::new(0.1, 0.2, -5.0), DVec3::new(0.05, 0.1, 1.0)), (5.0 * DVec3::X, -DVec3::X)]
+            {
+                let found = solid.nearest(&Ray::new(origin, to), Range::AHEAD);
+                assert!(found.is_none_or(|crossing| crossing.t.is_finite()), "{exponents:?}");
+            }
+        }
+    }
 }

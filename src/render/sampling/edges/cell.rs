@@ -68,13 +68,16 @@ impl Cell {
         if self.cuts >= aim.depth {
             return mean([mean(self.corners), self.middle]);
         }
-        self.quarters(aim, look).0
+        self.quarters(4, aim, look).map_or(self.middle, |(color, _)| color)
     }
 
     /// The mean colour, if one edge divides the cell in two.
     pub(super) fn across_an_edge(&self, aim: &Aim, look: &mut dyn Look) -> Option<Sample> {
         let divided = self.divided(aim).filter(|divided| self.is_straight(divided, aim, look))?;
         let ([first, last], share) = (divided.colors, divided.share as f32);
+        if share <= 0.0 || share >= 1.0 {
+            return Some(if share > 0.0 { first } else { last });
+        }
         Some(std::array::from_fn(|i| share * first[i] + (1.0 - share) * last[i]))
     }
 
@@ -151,8 +154,8 @@ impl Cell {
         like(&seen[0], &first, &last) && like(&seen[1], &last, &first)
     }
 
-    /// The mean of the four quarters, and how many of them are not even.
-    pub(super) fn quarters(&self, aim: &Aim, look: &mut dyn Look) -> (Sample, usize) {
+    /// The mean of the four quarters and how many of them are not even, if these are at most so `many`.
+    pub(super) fn quarters(&self, many: usize, aim: &Aim, look: &mut dyn Look) -> Option<(Sample, usize)> {
         let heart = self.heart();
         let missing = self.sides.iter().filter(|side| side.middle.is_none()).map(Side::halfway);
         let hearts = self.sides.iter().map(|side| 0.5 * (side.from() + heart));
@@ -173,6 +176,10 @@ impl Cell {
         let corners = |i: usize| [self.corners[i], middles[i], self.middle, middles[(i + 3) % 4]];
         let sides_of = |i: usize| [2 * i, 8 + i, 8 + (i + 3) % 4, 2 * ((i + 3) % 4) + 1];
         let evens: [_; 4] = std::array::from_fn(|i| even(aim, cuts, &corners(i), &hearts[i]));
+        let uneven = evens.iter().filter(|even| even.is_none()).count();
+        if uneven > many {
+            return None;
+        }
         let mut wanted: Vec<usize> = (0..4).filter(|&i| evens[i].is_none()).flat_map(sides_of).collect();
         wanted.sort_unstable();
         wanted.dedup();
@@ -188,7 +195,7 @@ impl Cell {
                 Self { cuts, corners: corners(i), middle: hearts[i], sides }.color(aim, look)
             })
         };
-        (mean([0, 1, 2, 3].map(quarter)), evens.iter().filter(|even| even.is_none()).count())
+        Some((mean([0, 1, 2, 3].map(quarter)), uneven))
     }
 }
 

@@ -81,11 +81,12 @@ impl Cells {
         let samples = size;
         let size = samples.map(|samples| samples - 1);
         let width = size[0].div_ceil(BLOCK);
-        let mut cells = Self { size, width, blocks: Vec::with_capacity(width * size[1].div_ceil(BLOCK)) };
+        let count = width * size[1].div_ceil(BLOCK);
+        let mut cells = Self { size, width, blocks: Vec::with_capacity(count) };
         widest(
             #[inline(always)]
             || {
-                for number in 0..cells.blocks.capacity() {
+                for number in 0..count {
                     let block = cells.block(number, samples[0], heights);
                     cells.blocks.push(block);
                 }

@@ -151,11 +151,14 @@ impl<'a> Pieces<'a> {
             // Lines from both ends that the height stays on this side of.
             let [falls, rises] = self.turns(from, to, first > 0.0);
             let (first, last) = (first.abs(), last.abs());
-            if is_least || falls >= 0.0 || rises <= 0.0 {
+            // No number where exponents are so large that nothing is left between the planes.
+            let turns = falls < 0.0 && rises > 0.0;
+            if is_least || !turns {
                 return ControlFlow::Continue(());
             }
             let share = (last - first - rises * width) / ((falls - rises) * width);
-            if first + falls * (share * width) > -NOISE {
+            let may_be_met = first + falls * (share * width) <= -NOISE;
+            if !may_be_met {
                 return ControlFlow::Continue(());
             }
             share
