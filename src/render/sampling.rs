@@ -115,6 +115,16 @@ fn pixels(block: &Region) -> impl Iterator<Item = (u32, u32)> {
     block.rows.clone().flat_map(move |y| columns.clone().map(move |x| (x, y)))
 }
 
+/// The numbers of the pixels beside one, of so many in rows of some width.
+fn beside(number: usize, width: usize, count: usize) -> impl Iterator<Item = usize> {
+    let column = number % width;
+    let left = (column > 0).then(|| number - 1);
+    let right = (column + 1 < width).then_some(number + 1);
+    let above = number.checked_sub(width);
+    let below = Some(number + width).filter(|&below| below < count);
+    [left, right, above, below].into_iter().flatten()
+}
+
 /// One sample in the middle of each pixel.
 fn centres(block: &Region, look: &mut dyn Look) -> Vec<Sample> {
     pixels(block).map(|(x, y)| look.at(DVec2::new(x.into(), y.into()))).collect()

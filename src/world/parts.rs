@@ -90,6 +90,13 @@ fn is_convex(operation: Operation, members: &[Member], parts: &Parts) -> bool {
 }
 
 impl Group {
+    /// Whether it combines a few convex solids, or intersects them with one of any shape; all are hidden from the same
+    /// rays.
+    #[inline]
+    pub(super) fn is_simple(&self) -> bool {
+        self.convex || self.odd.is_some()
+    }
+
     /// Combines members that are in `parts` already.
     pub fn new(operation: Operation, members: Vec<Member>, parts: &Parts, accelerator: Accelerator) -> Self {
         let extents = members.iter().map(|&member| parts.extent(member));

@@ -5,7 +5,7 @@
 //! of it, or, where an edge may have been missed, what the difference to the neighbours may hide.
 
 use super::even::{Sequence, Sum};
-use super::{Contrast, Look, Sample, each, pixels};
+use super::{Contrast, Look, Sample, beside, each, pixels};
 use crate::options::{Filter, Region};
 
 /// When to stop.
@@ -60,7 +60,7 @@ impl Pixel {
     }
 
     /// Mean brightness, as it is seen.
-    pub(super) fn brightness(&self) -> f32 {
+    fn brightness(&self) -> f32 {
         self.seen[0] / self.taken as f32
     }
 
@@ -79,9 +79,9 @@ impl Pixel {
     }
 
     /// Looks at places until the error is as aimed at, where the brightness of neighbours differs by so much.
-    pub(super) fn finish(&mut self, aim: Aim, beside: f32, contrast: &Contrast, look: &mut dyn Look) {
+    pub(super) fn finish(&mut self, aim: Aim, neighbours: f32, contrast: &Contrast, look: &mut dyn Look) {
         self.take((4 * FIRST).min(aim.most), contrast, look);
-        while self.taken < aim.most && self.error(beside) > aim.error / 255.0 {
+        while self.taken < aim.most && self.error(neighbours) > aim.error / 255.0 {
             self.take(self.taken.min(aim.most - self.taken), contrast, look);
         }
     }
@@ -106,12 +106,7 @@ pub(super) fn adaptive(
     while !open.is_empty() {
         let unfinished = |&place: &usize| {
             let here = all[place].brightness();
-            let (x, y) = (place % width, place / width);
-            let left = (x > 0).then(|| place - 1);
-            let right = (x + 1 < width).then(|| place + 1);
-            let (above, below) = (y.checked_sub(1).map(|_| place - width), place + width);
-            let below = (below < all.len()).then_some(below);
-            let around = [left, right, above, below].into_iter().flatten();
+            let around = beside(place, width, all.len());
             let unlike = around.map(|other| (all[other].brightness() - here).abs()).fold(0.0, f32::max);
             all[place].taken < most && all[place].error(unlike) > aim.error / 255.0
         };

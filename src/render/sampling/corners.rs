@@ -4,12 +4,18 @@ use super::{Look, Sample, all, mean, pixels};
 use crate::math::DVec2;
 use crate::options::Region;
 
+/// What is seen at the corners of all pixels, row by row, one more in each row and column than there are pixels.
+pub(super) fn corners_of(block: &Region, look: &mut dyn Look) -> Vec<Sample> {
+    let (columns, rows) = (&block.columns, &block.rows);
+    let around = Region { columns: columns.start..columns.end + 1, rows: rows.start..rows.end + 1 };
+    all(look, pixels(&around).map(|(x, y)| DVec2::new(x.into(), y.into()) - 0.5))
+}
+
 /// Half of a pixel is its middle, half the mean of its corners: a little more than two samples each.
 pub(super) fn corners(block: &Region, look: &mut dyn Look) -> Vec<Sample> {
     let (columns, rows) = (&block.columns, &block.rows);
-    let around = Region { columns: columns.start..columns.end + 1, rows: rows.start..rows.end + 1 };
-    let corners = all(look, pixels(&around).map(|(x, y)| DVec2::new(x.into(), y.into()) - 0.5));
-    let width = around.columns.len();
+    let corners = corners_of(block, look);
+    let width = columns.len() + 1;
     pixels(block)
         .map(|(x, y)| {
             let at = (y - rows.start) as usize * width + (x - columns.start) as usize;

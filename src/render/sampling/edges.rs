@@ -12,7 +12,8 @@ mod cell;
 mod side;
 
 use super::adaptive::{Aim as Spread, Pixel};
-use super::{Contrast, Look, Sample, all, pixels};
+use super::corners::corners_of;
+use super::{Contrast, Look, Sample, all, beside, pixels};
 use crate::math::DVec2;
 use crate::math::gamma::Gamma;
 use crate::options::{Filter, Region};
@@ -163,9 +164,7 @@ struct Pixels<'a> {
 impl<'a> Pixels<'a> {
     /// Looks at corners and middles, which is all it takes for pixels that are even.
     fn new(block: &'a Region, aim: &'a Aim, look: &mut dyn Look) -> Self {
-        let (columns, rows) = (&block.columns, &block.rows);
-        let around = Region { columns: columns.start..columns.end + 1, rows: rows.start..rows.end + 1 };
-        let corners = all(look, pixels(&around).map(|(x, y)| DVec2::new(x.into(), y.into()) - 0.5));
+        let corners = corners_of(block, look);
         let middles = all(look, pixels(block).map(|(x, y)| DVec2::new(x.into(), y.into())));
         let mut pixels = Self { block, aim, corners, middles, colors: Vec::new(), kinds: Vec::new() };
         for number in 0..pixels.middles.len() {
@@ -188,13 +187,7 @@ impl<'a> Pixels<'a> {
 
     /// The pixels beside one.
     fn around(&self, number: usize) -> impl Iterator<Item = usize> + use<> {
-        let (width, count) = (self.width(), self.middles.len());
-        let column = number % width;
-        let left = (column > 0).then(|| number - 1);
-        let right = (column + 1 < width).then_some(number + 1);
-        let above = number.checked_sub(width);
-        let below = Some(number + width).filter(|&below| below < count);
-        [left, right, above, below].into_iter().flatten()
+        beside(number, self.width(), self.middles.len())
     }
 
     /// The number of the upper left corner of a pixel.

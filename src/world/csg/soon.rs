@@ -142,7 +142,7 @@ impl Parts {
             }
             Member::Group(number) => {
                 let group = self.group(number);
-                let simple = group.convex || group.odd.is_some();
+                let simple = group.is_simple();
                 if !simple && group.operation != Operation::Union {
                     Err(Unclear)
                 } else if !self.admits(member, ray) || simple && self.is_hidden(group, kind) {
@@ -202,22 +202,18 @@ impl Parts {
                     |primitive: &Primitive, ray: &Ray, range| primitive.occludes(ray, range).then_some(());
                 Ok(self.ask_bounded(number, ray, range, kind, ask).is_some())
             }
-            Member::Group(number) if self.group(number).convex && self.is_whole(member) => {
-                let group = self.group(number);
-                if self.is_hidden(group, kind) || !self.admits(member, ray) {
-                    return Ok(false);
-                }
-                self.occludes_convex(group, ray, range)
-            }
             Member::Group(number)
                 if let group = self.group(number)
-                    && let Some(odd) = group.odd
+                    && group.is_simple()
                     && self.is_whole(member) =>
             {
                 if self.is_hidden(group, kind) || !self.admits(member, ray) {
                     return Ok(false);
                 }
-                self.occludes_odd((group, odd), ray, range)
+                match group.odd {
+                    Some(odd) => self.occludes_odd((group, odd), ray, range),
+                    None => self.occludes_convex(group, ray, range),
+                }
             }
             _ => Ok(self.nearest_soon(member, ray, range, kind)?.is_some()),
         }

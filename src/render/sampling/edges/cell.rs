@@ -3,13 +3,11 @@
 use super::Aim;
 use super::side::{Jump, Side, search};
 use crate::math::DVec2;
+use crate::render::sampling::even::Sum;
 use crate::render::sampling::{Look, Sample, all, mean};
 
 /// What is unlike by at most this share of an edge belongs to one of the edge's colours.
 const ALIKE: f32 = 0.25;
-
-/// The middle of what curves evenly is off the mean of the corners by so many times what the rule for both errs by.
-const CURVE: f32 = 1.0;
 
 /// A pixel or a part of one.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +28,7 @@ pub(super) struct Cell {
 pub(super) fn even(aim: &Aim, cuts: u32, corners: &[Sample; 4], middle: &Sample) -> Option<Sample> {
     let around = mean(*corners);
     let off = aim.apart(&around, middle);
-    (off <= CURVE * aim.error(cuts)).then(|| mean([around, *middle, *middle]))
+    (off <= aim.error(cuts)).then(|| mean([around, *middle, *middle]))
 }
 
 /// An edge from one side of a cell to another.
@@ -97,16 +95,17 @@ impl Cell {
             return None;
         }
         // The first part is what one meets from the first jump on, the second what is before and after.
-        let mut parts =
-            [(leaves.colors[1], 1.0), (leaves.colors[0], 1.0)].map(|(color, count)| Sum { color, count });
-        parts[0].add(&enters.colors[0], 1.0);
-        parts[1].add(&enters.colors[1], 1.0);
+        let mut parts = [Sum::default(); 2];
+        for (first, jump) in [(1, &leaves), (0, &enters)] {
+            parts[0].add(jump.colors[first], 1.0);
+            parts[1].add(jump.colors[1 - first], 1.0);
+        }
         let mut outline = leaves.at;
         let mut area = 0.0;
         let ends = [leaves.at, enters.at];
         for (k, (corner, side)) in self.corners.iter().zip(&self.sides).enumerate() {
             let first = i < k && k <= j;
-            parts[usize::from(!first)].add(corner, 1.0);
+            parts[usize::from(!first)].add(*corner, 1.0);
             if first {
                 area += (outline - leaves.at).perp_dot(side.from() - leaves.at);
                 outline = side.from();
@@ -124,7 +123,7 @@ impl Cell {
         if to_first.min(to_last) > alike || (like_first != on_first && ahead.abs() > doubt) {
             return None;
         }
-        parts[usize::from(!like_first)].add(&self.middle, 2.0);
+        parts[usize::from(!like_first)].add(self.middle, 2.0);
         Some(Divided { colors: [parts[0].mean(), parts[1].mean()], share, ends, doubt, gap })
     }
 
@@ -142,7 +141,7 @@ impl Cell {
         // What an arc of height h cuts off beside its chord is two thirds of h times the chord.
         let error = f64::from(aim.error(self.cuts) / divided.gap);
         let beside = (1.5 * error * size * size / length).max(divided.doubt);
-        if beside >= ALIKE as f64 * size {
+        if beside >= f64::from(ALIKE) * size {
             return true;
         }
         let across = chord.perp() * (beside / length);
@@ -196,23 +195,5 @@ impl Cell {
             })
         };
         Some((mean([0, 1, 2, 3].map(quarter)), uneven))
-    }
-}
-
-/// A sum of colours.
-#[derive(Clone, Copy)]
-struct Sum {
-    color: Sample,
-    count: f32,
-}
-
-impl Sum {
-    fn add(&mut self, color: &Sample, count: f32) {
-        self.color = std::array::from_fn(|i| self.color[i] + count * color[i]);
-        self.count += count;
-    }
-
-    fn mean(&self) -> Sample {
-        self.color.map(|component| component / self.count)
     }
 }
