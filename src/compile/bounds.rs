@@ -7,7 +7,7 @@ use crate::math::Bounds;
 use crate::scene::depth::Nested;
 use crate::scene::object::ObjectFlags;
 use crate::scene::{Object, Shape};
-use crate::world::object::{LeafFlags, Limits, Numbered};
+use crate::world::object::{LeafFlags, Numbered};
 use crate::world::shape::Primitive;
 use crate::world::shape::r#box::Cuboid;
 use crate::world::{Leaf, Member, RayKind};
@@ -56,7 +56,7 @@ impl Flattener<'_> {
             let leaves = &mut self.flat.parts.leaves;
             let member = Member::Leaf(leaves.len() as u32);
             leaves.push(bounding_box(bounds));
-            leaves[leaf as usize].limits.get_or_insert_with(Box::<Limits>::default).bounds.push(member);
+            leaves[leaf as usize].limit().bounds.push(member);
         }
     }
 }
@@ -68,20 +68,18 @@ fn skips_its_box(shape: &Shape) -> bool {
 
 /// A leaf that is only asked whether a ray meets it.
 fn bounding_box(bounds: Bounds) -> Leaf {
-    Leaf {
+    let mut leaf = Leaf {
         primitive: Primitive::Box(Cuboid { min: bounds.min, max: bounds.max }),
         transform: None,
-        bounds: Some(Box::new(bounds)),
         reach: 0.0,
-        limits: None,
-        parent: Numbered::NONE,
+        rare: None,
         flags: LeafFlags::SOLID,
         hidden: RayKind::empty(),
         texture: Numbered::NONE,
-        interior_texture: Numbered::NONE,
-        own_textures: 0..0,
         interior: 0,
         lights: 0,
         origin: 0,
-    }
+    };
+    leaf.set_bounds(bounds);
+    leaf
 }

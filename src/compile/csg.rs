@@ -38,7 +38,7 @@ impl Flattener<'_> {
         let number = parts.groups.len() as u32;
         for &member in &members {
             match member {
-                Member::Leaf(leaf) => parts.leaves[leaf as usize].parent = Some(number).into(),
+                Member::Leaf(leaf) => parts.leaves[leaf as usize].set_parent(number),
                 Member::Group(group) => parts.groups[group as usize].parent = Some(number),
             }
         }

@@ -8,12 +8,13 @@ use std::sync::Arc;
 
 use super::Unsupported;
 use super::bounds::Bounded;
-use super::object::ShapeCache;
+use super::object::{ShapeCache, legacy};
 use crate::math::Transform;
 use crate::options::Accelerator;
 use crate::scene::object::ObjectFlags;
 use crate::scene::settings::Settings;
 use crate::scene::shape::{Csg, CsgOperation, LightGroup};
+use crate::scene::texture::LegacyFinish;
 use crate::scene::{Interior, Light, Object, Shape, Texture};
 use crate::source::Span;
 use crate::world::object::Numbered;
@@ -30,8 +31,10 @@ pub struct Flat {
     pub parts: Parts,
     /// Surfaces.
     pub textures: Vec<TextureUse>,
-    /// Fillings; leaves with the same number enclose one body.
+    /// Interiors; leaves with the same number enclose one body.
     pub interiors: Vec<InteriorUse>,
+    /// What they are filled with, but for air.
+    pub fillings: Vec<Filling>,
     /// Lights.
     pub lights: Vec<LightUse>,
     /// For each light set the lights in it.
@@ -49,21 +52,26 @@ pub struct TextureUse {
     pub texture: Texture,
     /// From the texture's outer space to the world; `None` is the identity.
     pub outer: Option<Arc<Transform>>,
-    /// The object's statement.
-    pub span: Span,
+}
+
+/// What a surface encloses. Small, as every object has one.
+#[derive(Clone, Copy, Debug)]
+pub struct InteriorUse {
+    /// A number into [`Flat::fillings`]; none is air.
+    pub filling: Numbered,
+    /// Whether it doesn't displace fog and media.
+    pub hollow: bool,
 }
 
 /// A filling.
 #[derive(Clone, Debug)]
-pub struct InteriorUse {
+pub struct Filling {
     /// As written; `None` is air.
     pub interior: Option<Arc<Interior>>,
     /// From the interior's outer space to the world; `None` is the identity.
     pub outer: Option<Arc<Transform>>,
-    /// The texture whose finish may say more about it, as old scenes do.
-    pub texture: Numbered,
-    /// Whether it doesn't displace fog and media.
-    pub hollow: bool,
+    /// What the finish of the object's texture says about it, as in old scenes.
+    pub legacy: Option<LegacyFinish>,
 }
 
 /// A light.
@@ -238,15 +246,14 @@ impl<'a> Flattener<'a> {
     fn add_whole_in(&mut self, object: &Object, around: &Inherited) {
         let mut own = self.own(object, around);
         // What its surfaces enclose is one body, if only of air.
-        let interior = own.interior.unwrap_or_else(|| self.interior(None, &own));
+        let interior = own.interior.unwrap_or_else(|| self.interior(Numbered::NONE, own.hollow));
         own.interior = Some(interior);
         if let Some(member) = self.placed(object, &own) {
             // Of so many the boxes are worked out again by the few who ask.
             if let Member::Leaf(number) = member
                 && self.flat.parts.objects.len() > MANY
             {
-                let leaf = &mut self.flat.parts.leaves[number as usize];
-                leaf.bounds = leaf.bounds.take().filter(|_| leaf.limits.is_some());
+                self.flat.parts.leaves[number as usize].forget_bounds();
             }
             self.note_bounds(object, &own, member);
             let surrounds = self.flat.parts.extent(member).beyond && self.is_everywhere(object);
@@ -305,18 +312,13 @@ impl<'a> Flattener<'a> {
     }
 
     /// Numbers a texture in a space that `outer` leads out of.
-    pub(super) fn texture(&mut self, texture: &Texture, outer: Option<Arc<Transform>>, span: Span) -> u32 {
-        self.flat.textures.push(TextureUse { texture: texture.clone(), outer, span });
+    pub(super) fn texture(&mut self, texture: &Texture, outer: Option<Arc<Transform>>) -> u32 {
+        self.flat.textures.push(TextureUse { texture: texture.clone(), outer });
         self.flat.textures.len() as u32 - 1
     }
 
     /// The same, but that the last one's number will do where that is the same.
-    pub(super) fn texture_again(
-        &mut self,
-        texture: &Texture,
-        outer: Option<Arc<Transform>>,
-        span: Span,
-    ) -> u32 {
+    pub(super) fn texture_again(&mut self, texture: &Texture, outer: Option<Arc<Transform>>) -> u32 {
         let place = |transform: &Option<Arc<Transform>>| transform.as_ref().map(Arc::as_ptr);
         let is_same = |last: &TextureUse| {
             Arc::ptr_eq(&last.texture.body, &texture.body)
@@ -325,7 +327,7 @@ impl<'a> Flattener<'a> {
         };
         match self.flat.textures.last() {
             Some(last) if is_same(last) => self.flat.textures.len() as u32 - 1,
-            _ => self.texture(texture, outer, span),
+            _ => self.texture(texture, outer),
         }
     }
 
@@ -334,20 +336,24 @@ impl<'a> Flattener<'a> {
         match self.default_texture {
             Some(number) => number,
             None => {
-                let number = self.texture(&Texture::default(), None, Span::default());
+                let number = self.texture(&Texture::default(), None);
                 *self.default_texture.insert(number)
             }
         }
     }
 
-    /// Numbers the filling of an object.
-    pub(super) fn interior(&mut self, interior: Option<&Arc<Interior>>, own: &Inherited) -> u32 {
-        self.flat.interiors.push(InteriorUse {
-            interior: interior.cloned(),
-            outer: own.outer.clone(),
-            texture: own.texture.into(),
-            hollow: own.hollow,
-        });
+    /// Numbers the interior of an object that says what it is filled with.
+    pub(super) fn filled(&mut self, interior: Option<Arc<Interior>>, own: &Inherited) -> u32 {
+        let number = self.flat.fillings.len() as u32;
+        let texture = own.texture.map(|number| &self.flat.textures[number as usize].texture);
+        let legacy = texture.and_then(legacy).copied();
+        self.flat.fillings.push(Filling { interior, outer: own.outer.clone(), legacy });
+        self.interior(Some(number).into(), own.hollow)
+    }
+
+    /// Numbers an interior.
+    fn interior(&mut self, filling: Numbered, hollow: bool) -> u32 {
+        self.flat.interiors.push(InteriorUse { filling, hollow });
         self.flat.interiors.len() as u32 - 1
     }
 }

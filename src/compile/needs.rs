@@ -6,44 +6,51 @@ use std::sync::Arc;
 
 use super::flatten::Flat;
 use super::texture::TextureCompiler;
-use crate::world::object::LeafFlags;
+use crate::world::object::{LeafFlags, Numbered};
 use crate::world::{Interior, Needs};
 
 /// Which of a list are in use, and their numbers after the others are left out.
 #[derive(Debug)]
 pub(super) struct Used {
-    numbers: Vec<Option<u32>>,
+    numbers: Vec<Numbered>,
 }
 
 impl Used {
     fn new(all: usize, used: impl Iterator<Item = u32>) -> Self {
-        let mut numbers = vec![None; all];
+        let mut numbers = vec![Numbered::NONE; all];
         for number in used {
             if let Some(number) = numbers.get_mut(number as usize) {
-                *number = Some(0);
+                *number = Some(0).into();
             }
         }
-        numbers.iter_mut().flatten().zip(0..).for_each(|(number, next)| *number = next);
+        let wanted = numbers.iter_mut().filter(|number| **number != Numbered::NONE);
+        wanted.zip(0..).for_each(|(number, next)| *number = Some(next).into());
         Self { numbers }
+    }
+
+    /// How many are in use.
+    pub(super) fn count(&self) -> usize {
+        self.numbers.iter().filter(|&&number| number != Numbered::NONE).count()
     }
 
     /// Those of the whole list that are in use.
     pub(super) fn only<T>(&self, all: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
-        all.into_iter().zip(&self.numbers).filter_map(|(item, number)| number.map(|_| item))
+        all.into_iter().zip(&self.numbers).filter_map(|(item, number)| number.get().map(|_| item))
     }
 
     /// The new number of one in use.
     pub(super) fn renumbered(&self, number: u32) -> u32 {
-        self.numbers.get(number as usize).copied().flatten().unwrap_or_default()
+        self.numbers.get(number as usize).and_then(|number| number.get()).unwrap_or_default()
     }
 }
 
 /// The textures that leaves refer to.
 pub(super) fn textures(flat: &Flat) -> Used {
-    let used = flat.parts.leaves.iter().flat_map(|leaf| {
-        let own = leaf.own_textures.clone();
-        own.chain(leaf.texture.get()).chain(leaf.interior_texture.get())
-    });
+    let used = flat
+        .parts
+        .leaves
+        .iter()
+        .flat_map(|leaf| leaf.own_textures().chain(leaf.texture.get()).chain(leaf.interior_texture()));
     Used::new(flat.textures.len(), used)
 }
 

@@ -17,7 +17,7 @@ use crate::scene::texture::{LegacyFinish, TextureBody};
 use crate::scene::{Object, Shape, Texture};
 use crate::world::extent::{Extent, around_rounding, half_space};
 use crate::world::narrow;
-use crate::world::object::{LeafFlags, Limits, Numbered};
+use crate::world::object::{LeafFlags, Limits};
 use crate::world::shape::r#box::Cuboid;
 use crate::world::shape::{Primitive, Shape as _};
 use crate::world::{Leaf, Member, RayKind};
@@ -53,16 +53,20 @@ impl Flattener<'_> {
         // Textures stay where they are on objects that say so themselves (docs/spec/primitives.md 1.1).
         let outer = if says_uv { None } else { own.outer.clone() };
         if let Some(texture) = &object.texture {
-            own.texture = Some(self.texture_again(texture, outer.clone(), object.span));
+            own.texture = Some(self.texture_again(texture, outer.clone()));
         }
         let extra = object.extra.as_deref();
         if let Some(texture) = extra.and_then(|extra| extra.interior_texture.as_ref()) {
-            own.interior_texture = Some(self.texture(texture, outer, object.span));
+            own.interior_texture = Some(self.texture(texture, outer));
         }
         let says_more = object.texture.as_ref().is_some_and(|texture| legacy(texture).is_some());
         if object.interior().is_some() || says_more {
-            let inherited = own.interior.and_then(|i| self.flat.interiors[i as usize].interior.clone());
-            own.interior = Some(self.interior(object.interior().or(inherited.as_ref()), &own));
+            let inherited = || {
+                let around = self.flat.interiors[own.interior? as usize];
+                self.flat.fillings[around.filling.get()? as usize].interior.clone()
+            };
+            let interior = object.interior().cloned().or_else(inherited);
+            own.interior = Some(self.filled(interior, &own));
         }
         own
     }
@@ -116,7 +120,7 @@ impl Flattener<'_> {
         let first = self.flat.textures.len() as u32;
         for texture in own_list(primitive) {
             let outer = outer.clone().filter(|_| !object.flags.contains(ObjectFlags::UV_MAPPING));
-            self.texture(texture, outer, object.span);
+            self.texture(texture, outer);
         }
         let own_textures = first..self.flat.textures.len() as u32;
         let texture = own.texture.or_else(|| {
@@ -157,20 +161,18 @@ impl Flattener<'_> {
             primitive: settled.unwrap_or(compiled.primitive),
             reach: reach(extent, transform.as_deref()) as f32,
             transform,
-            bounds: None,
-            limits,
-            parent: Numbered::NONE,
+            rare: None,
             flags,
             hidden: own.hidden,
             texture: texture.into(),
-            interior_texture: own.interior_texture.into(),
-            own_textures,
             interior: own.interior.unwrap_or(0),
             lights: own.lights,
             origin: self.flat.spans.len() as u32 - 1,
         };
+        leaf.set_textures(own.interior_texture.into(), own_textures);
+        leaf.set_limits(limits);
         self.settle(&mut leaf);
-        leaf.bounds = Some(Box::new(self.narrowed(&leaf, extent)));
+        leaf.set_bounds(self.narrowed(&leaf, extent));
         self.flat.parts.leaves.push(leaf);
         Some(Member::Leaf(self.flat.parts.leaves.len() as u32 - 1))
     }
@@ -178,12 +180,12 @@ impl Flattener<'_> {
     /// Tells a primitive what it is clipped or bounded by.
     fn settle(&self, leaf: &mut Leaf) {
         let Primitive::Other(shape) = &leaf.primitive else { return };
-        let Some(limits) = &leaf.limits else { return };
+        let Some(limits) = leaf.limits() else { return };
         if let Some(gate) = self.gate(leaf, limits)
             && let Some(shape) = shape.behind_gate(gate)
         {
             leaf.primitive = Primitive::Other(shape);
-            leaf.limits = None;
+            leaf.set_limits(None);
             return;
         }
         let limits = limits.clips.iter().chain(&limits.bounds).map(|&limit| self.flat.parts.extent(limit));
@@ -208,7 +210,7 @@ impl Flattener<'_> {
         };
         let bound = self.flat.parts.leaf(bound);
         let Primitive::Box(cuboid) = bound.primitive else { return None };
-        if bound.limits.is_some() || bound.flags.contains(LeafFlags::INVERTED) {
+        if bound.limits().is_some() || bound.flags.contains(LeafFlags::INVERTED) {
             return None;
         }
         let (place, own) = (bound.transform.as_deref(), leaf.transform.as_deref());
@@ -224,7 +226,7 @@ impl Flattener<'_> {
 
     /// A box around what clips leave of a leaf with this extent.
     fn narrowed(&self, leaf: &Leaf, extent: Extent) -> Bounds {
-        let clips = leaf.limits.as_ref().map_or(&[][..], |limits| &limits.clips);
+        let clips = leaf.limits().map_or(&[][..], |limits| &limits.clips);
         if clips.is_empty() || extent.beyond {
             return extent.bounds;
         }

@@ -14,7 +14,7 @@ use crate::source::Span;
 use crate::world;
 use crate::world::Inside;
 use crate::world::image::Image;
-use crate::world::texture::{BlendMap, Layer, Pigment, TextureBody};
+use crate::world::texture::{BlendMap, Layer, Paint, Pigment, TextureBody};
 
 /// How deep textures, patterns and functions may contain each other.
 pub(super) const DEEPEST: u32 = 300;
@@ -122,7 +122,7 @@ impl<'a> TextureCompiler<'a> {
             Body::Layered(layers) => {
                 let layers: SmallVec<[Layer; 1]> =
                     layers.iter().map(|layer| self.layer(layer)).collect::<Result<_, _>>()?;
-                let opaque = layers.iter().any(|layer| layer.pigment.is_opaque());
+                let opaque = layers.iter().any(|layer| layer.paint.is_opaque());
                 TextureBody::Layered { layers, opaque }
             }
             Body::Patterned { field, map, no_bump_scale } => TextureBody::Patterned {
@@ -162,9 +162,12 @@ impl<'a> TextureCompiler<'a> {
             }
         };
         self.uses_subsurface |= finish.subsurface.is_some();
-        let pigment = self.pigment(&layer.pigment)?;
+        let paint = match &layer.paint {
+            scene::texture::Paint::Color(color) => Paint::Even(*color),
+            scene::texture::Paint::Pigment(pigment) => self.pigment(pigment)?.into(),
+        };
         let normal = layer.normal.as_ref().map(|normal| self.normal(normal)).transpose()?;
-        Ok(Layer { pigment, normal: normal.filter(|normal| !normal.is_flat()), finish })
+        Ok(Layer { paint, normal: normal.filter(|normal| !normal.is_flat()), finish })
     }
 
     /// Compiles the entries of a map.

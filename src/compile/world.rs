@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use super::flatten::{Flat, Flattener, InteriorUse, TextureUse};
-use super::object::legacy;
+use super::flatten::{Filling, Flat, Flattener, InteriorUse, TextureUse};
 use super::probe::{self, Known};
 use super::texture::TextureCompiler;
 use super::{Unsupported, atmosphere, camera, interior, light, needs, settings};
@@ -50,8 +49,8 @@ pub fn compile_knowing(mut scene: Scene, options: &RenderOptions, mut known: Kno
         .with_objects(&inside_of);
     let camera = camera::camera(&scene.camera, &mut textures, &mut lacking);
     let atmosphere = atmosphere::atmosphere(&scene, &mut textures, &mut lacking);
-    let interiors = interiors(&mut flat, &mut textures, &mut lacking);
     let surfaces = surfaces(&mut flat, &mut textures, &mut lacking);
+    let interiors = interiors(&mut flat, &mut textures, &mut lacking);
     // Without the setting a finish with `subsurface` is shaded as any other.
     if let Some(subsurface) = &scene.settings.subsurface
         && textures.uses_subsurface
@@ -100,15 +99,16 @@ fn surfaces(flat: &mut Flat, textures: &mut TextureCompiler, lacking: &mut Vec<U
             textures.texture(&scene::Texture::default(), outer)
         })
     };
+    let mut compiled = Vec::with_capacity(used.count());
     // The default texture has nothing that could be unsupported.
-    let compiled =
-        used.only(std::mem::take(&mut flat.textures)).map(compile).filter_map(Result::ok).collect();
+    compiled.extend(used.only(std::mem::take(&mut flat.textures)).map(compile).filter_map(Result::ok));
     for leaf in &mut flat.parts.leaves {
         leaf.texture = leaf.texture.get().map(|number| used.renumbered(number)).into();
-        leaf.interior_texture = leaf.interior_texture.get().map(|number| used.renumbered(number)).into();
-        if !leaf.own_textures.is_empty() {
-            let first = used.renumbered(leaf.own_textures.start);
-            leaf.own_textures = first..first + leaf.own_textures.len() as u32;
+        if leaf.flags.contains(LeafFlags::SEVERAL) {
+            let inner = leaf.interior_texture().map(|number| used.renumbered(number));
+            let own = leaf.own_textures();
+            let first = used.renumbered(own.start);
+            leaf.set_textures(inner.into(), first..first + own.len() as u32);
         }
     }
     compiled
@@ -123,20 +123,28 @@ fn interiors(
     let used = needs::interiors(flat);
     // What is filled with air alone is alike, solid or hollow.
     let mut airs = [None, None];
-    let compile = |wanted: InteriorUse| {
-        let texture = wanted.texture.get().map(|number| &flat.textures[number as usize].texture);
-        let legacy = texture.and_then(legacy);
-        let outer = wanted.outer.as_deref().unwrap_or(&Transform::IDENTITY);
+    let air = Filling { interior: None, outer: None, legacy: None };
+    let compile = |InteriorUse { filling, hollow }| {
+        let filling = filling.get().map(|number| &flat.fillings[number as usize]);
+        let Filling { interior, outer, legacy } = filling.unwrap_or(&air);
+        let outer = outer.as_deref().unwrap_or(&Transform::IDENTITY);
         let mut compile = || {
-            let interior = wanted.interior.as_deref();
-            Arc::new(interior::interior(interior, legacy, wanted.hollow, outer, textures, lacking))
+            Arc::new(interior::interior(
+                interior.as_deref(),
+                legacy.as_ref(),
+                hollow,
+                outer,
+                textures,
+                lacking,
+            ))
         };
-        match (&wanted.interior, legacy) {
-            (None, None) => airs[usize::from(wanted.hollow)].get_or_insert_with(compile).clone(),
+        match (interior, legacy) {
+            (None, None) => airs[usize::from(hollow)].get_or_insert_with(compile).clone(),
             _ => compile(),
         }
     };
-    let compiled = used.only(std::mem::take(&mut flat.interiors)).map(compile).collect();
+    let mut compiled = Vec::with_capacity(used.count());
+    compiled.extend(used.only(std::mem::take(&mut flat.interiors)).map(compile));
     for leaf in &mut flat.parts.leaves {
         leaf.interior = used.renumbered(leaf.interior);
     }
@@ -151,15 +159,15 @@ fn interiors(
 fn mark_opaque(flat: &mut Flat, textures: &[Texture]) {
     let opaque = |number: u32| textures[number as usize].is_opaque();
     for leaf in &mut flat.parts.leaves {
-        let all = leaf.own_textures.clone().all(opaque)
+        let all = leaf.own_textures().all(opaque)
             && leaf.texture.get().is_some_and(opaque)
-            && leaf.interior_texture.get().is_none_or(opaque);
+            && leaf.interior_texture().is_none_or(opaque);
         leaf.flags.set(LeafFlags::OPAQUE, all);
         let everywhere = |holds: fn(&Texture) -> bool| {
             let single = |number: u32| holds(&textures[number as usize]);
-            leaf.own_textures.is_empty()
+            leaf.own_textures().is_empty()
                 && leaf.texture.get().is_some_and(single)
-                && leaf.interior_texture.get().is_none_or(single)
+                && leaf.interior_texture().is_none_or(single)
         };
         let (clear, invisible) = (everywhere(Texture::passes_light), everywhere(Texture::is_invisible));
         leaf.flags.set(LeafFlags::CLEAR, clear);

@@ -82,7 +82,7 @@ fn prisons(world: &World, point: DVec3) -> Vec<u32> {
                 && !leaf.flags.contains(LeafFlags::INVERTED)
         };
         let hollow = world.interiors.get(object.interior as usize).is_some_and(|interior| interior.hollow);
-        bounded && object.opaque && !hollow && leaf.is_some_and(|leaf| leaf.limits.is_none() && shuts(leaf))
+        bounded && object.opaque && !hollow && leaf.is_some_and(|leaf| !leaf.is_limited() && shuts(leaf))
     };
     world.geometry.containers(point).into_iter().filter(is_prison).collect()
 }

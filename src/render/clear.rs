@@ -11,18 +11,15 @@ use crate::math::color::grey;
 use crate::math::{Rgb, Rgbft};
 use crate::world::hit::Hit;
 use crate::world::object::{Leaf, LeafFlags};
-use crate::world::texture::{Finish, Pigment};
+use crate::world::texture::Finish;
 use crate::world::{Intersection, Ray};
 
 impl<'w> Tracer<'w> {
     /// The finish and the colour of the layer which is all there is to a leaf, if it is that simple.
     #[inline]
-    pub(super) fn even_layer(&self, leaf: &Leaf) -> Option<(&'w Finish, &'w Rgbft)> {
+    pub(super) fn even_layer(&self, leaf: &Leaf) -> Option<(&'w Finish, Rgbft)> {
         let layer = self.only_layer(leaf)?;
-        match &*layer.pigment {
-            Pigment::Color(color) => Some((&layer.finish, color)),
-            _ => None,
-        }
+        Some((&layer.finish, layer.paint.even()?))
     }
 
     /// Shades the surface that a ray met, if it is that simple.
@@ -43,7 +40,7 @@ impl<'w> Tracer<'w> {
             through *= (Rgb::ONE - reflectivity.color).min(Rgb::ONE);
         }
         let mut shaded = Shaded {
-            color: self.own_light((path, hit), surface, finish, color),
+            color: self.own_light((path, hit), surface, finish, &color),
             transmit: 0.0,
             onward: None,
         };

@@ -8,11 +8,11 @@ use super::random::Random;
 use super::shadow::Target;
 use super::textures;
 use super::trace::{Path, Tracer};
-use crate::math::Rgb;
+use crate::math::{Rgb, Rgbft};
 use crate::world::hit::Hit;
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::{Leaf, LeafFlags};
-use crate::world::texture::{Finish, Layer, Pigment};
+use crate::world::texture::{Finish, Layer, Paint};
 use crate::world::{Intersection, Ray};
 
 /// Rays that travel together, and what they meet first.
@@ -51,8 +51,7 @@ impl<'w> Tracer<'w> {
     #[inline]
     pub(super) fn only_layer(&self, leaf: &Leaf) -> Option<&'w Layer> {
         let world: &'w _ = self.world;
-        let one = leaf.interior_texture.get().is_none() && leaf.own_textures.is_empty();
-        let number = leaf.texture.get().filter(|_| one)?;
+        let number = leaf.texture.get().filter(|_| !leaf.flags.contains(LeafFlags::SEVERAL))?;
         match world.textures[number as usize].layers_in_place() {
             Some([layer]) if layer.normal.is_none() => {
                 Some(layer).filter(|layer| layer.finish.irid.is_none() && layer.finish.crand == 0.0)
@@ -71,9 +70,9 @@ impl<'w> Tracer<'w> {
         let layer = self.only_layer(leaf)?;
         let finish: &Finish = &layer.finish;
         *surface = world.geometry.surface(ray, hit);
-        let color = match &*layer.pigment {
-            Pigment::Color(color) => *color,
-            pigment => pigment.color(&textures::sample(world, ray, hit, surface))?,
+        let color = match &layer.paint {
+            Paint::Even(color) => Rgbft::new(*color),
+            Paint::Pigment(pigment) => pigment.color(&textures::sample(world, ray, hit, surface))?,
         };
         if color.filter != 0.0 || color.transmit != 0.0 {
             return None;

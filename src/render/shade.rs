@@ -245,7 +245,7 @@ impl Tracer<'_> {
         if stack.top.is_none() {
             stack.top = Some(*normal);
         }
-        let given = layer.pigment.color(sample);
+        let given = layer.paint.color(sample);
         let color = given.unwrap_or(Rgbft::new([1.0, 1.0, 1.0, 0.0, 1.0]));
         if self.quality.flat {
             // The lowest layer that is looked at shows its plain colour.

@@ -258,7 +258,7 @@ impl Tracer<'_> {
         textures::resolve(world, ray, hit, &surface, &mut |weight, layers, sample| {
             let mut through = Rgb::ONE;
             for layer in layers {
-                if let Some(color) = layer.pigment.color(sample) {
+                if let Some(color) = layer.paint.color(sample) {
                     through *= color.through();
                 }
                 if interior.caustics != 0.0 {

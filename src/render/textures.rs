@@ -16,7 +16,7 @@ type Shares = SmallVec<[(u32, f32); 4]>;
 /// The layers that alone show at a hit of a leaf, where it has one texture without patterns.
 #[inline]
 pub(super) fn layers<'w>(world: &'w World, leaf: &Leaf, surface: &Intersection) -> Option<&'w [Layer]> {
-    let number = whole(leaf, surface).filter(|_| leaf.own_textures.is_empty())?;
+    let number = whole(leaf, surface).filter(|_| leaf.own_textures().is_empty())?;
     world.textures[number as usize].layers_in_place().filter(|_| world.settings.adc_bailout <= 1.0)
 }
 
@@ -43,7 +43,7 @@ pub(super) fn resolve(
     let leaf = world.geometry.parts().leaf(hit.leaf);
     let mut sample = sample(world, ray, hit, surface);
     let bailout = world.settings.adc_bailout;
-    if let (Some(number), true) = (whole(leaf, surface), leaf.own_textures.is_empty()) {
+    if let (Some(number), true) = (whole(leaf, surface), leaf.own_textures().is_empty()) {
         // Most leaves show one texture.
         if bailout <= 1.0 {
             world.textures[number as usize].resolve(&mut sample, shade);
@@ -62,7 +62,7 @@ pub(super) fn resolve(
 /// The texture of a leaf as a whole.
 #[inline]
 fn whole(leaf: &Leaf, surface: &Intersection) -> Option<u32> {
-    leaf.interior_texture.get().filter(|_| surface.inside).or(leaf.texture.get())
+    leaf.interior_texture().filter(|_| surface.inside).or(leaf.texture.get())
 }
 
 /// The textures at a hit of a leaf that brings its own, or has none.
@@ -70,7 +70,7 @@ fn shares(world: &World, leaf: &Leaf, hit: &Hit, surface: &Intersection) -> Shar
     let mut shares = Shares::new();
     let whole = whole(leaf, surface);
     leaf.primitive.textures(leaf.inner_point(surface.textured), &hit.crossing, &mut |number, share| {
-        let own = || leaf.own_textures.clone().nth(number as usize);
+        let own = || leaf.own_textures().nth(number as usize);
         let texture = if number == OWN_TEXTURE { whole } else { own() };
         shares.extend(texture.map(|texture| (texture, share as f32)));
     });
@@ -90,7 +90,7 @@ fn shares(world: &World, leaf: &Leaf, hit: &Hit, surface: &Intersection) -> Shar
 fn cutaway(world: &World, leaf: &Leaf, hit: &Hit, point: DVec3, found: &mut Shares) {
     let parts = world.geometry.parts();
     let mut cutter = Member::Leaf(hit.leaf);
-    let mut around = leaf.parent.get();
+    let mut around = leaf.parent();
     while let (true, Some(number)) = (found.is_empty(), around) {
         let group = parts.group(number);
         // What is cut out of a difference is its first member.

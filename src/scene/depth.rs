@@ -12,7 +12,7 @@ use super::image::{ImageMap, ImageOrigin, ImageSource};
 use super::interior::{Material, Media};
 use super::pigment::{BlendMap, PigmentKind};
 use super::shape::{BlobComponent, LightGroup};
-use super::texture::{Layer, NormalKind, TextureBody};
+use super::texture::{Layer, NormalKind, Paint, TextureBody};
 use super::{
     Camera, Field, Function, Interior, Light, Normal, Object, Pattern, Pigment, Shape, SkySphere, Texture,
 };
@@ -162,7 +162,7 @@ impl Depth for LightGroup {
 impl Depth for Texture {
     fn depth(&self) -> u32 {
         match &*self.body {
-            TextureBody::Layered(layers) => layers.depth(),
+            TextureBody::Layered(layers) => deepest(&layers[..]),
             TextureBody::Patterned { field, map, .. } => field.depth().max(map.depth()),
             TextureBody::MaterialMap { image, textures, .. } => image.depth().max(textures.depth()),
             TextureBody::UvMapped(inner) => inner.depth(),
@@ -172,7 +172,11 @@ impl Depth for Texture {
 
 impl Depth for Layer {
     fn depth(&self) -> u32 {
-        self.pigment.depth().max(self.normal.depth())
+        let paint = match &self.paint {
+            Paint::Color(_) => 0,
+            Paint::Pigment(pigment) => pigment.depth(),
+        };
+        paint.max(self.normal.depth())
     }
 }
 
@@ -319,9 +323,9 @@ mod tests {
         assert_eq!(object.depth(), 0);
         let pigment = blend(blend(Pigment::color(Rgbft::BLACK)));
         let depth = pigment.depth();
-        let layer =
-            Layer { span: Span::default(), pigment: Arc::new(pigment), normal: None, finish: Arc::default() };
-        object.texture = Some(Texture::new(TextureBody::Layered(vec![layer])));
+        let paint = Paint::Pigment(Arc::new(pigment));
+        let layer = Layer { span: Span::default(), paint, normal: None, finish: Arc::default() };
+        object.texture = Some(layer.into());
         assert_eq!(object.depth(), depth);
         let looks_at = Field::new(Span::default(), Pattern::Object(Arc::new(object)));
         assert_eq!(looks_at.depth(), depth + 1);

@@ -1,6 +1,8 @@
 //! Textures: layers of pigment, normal and finish (docs/spec/patterns-textures.md 4 and 7,
 //! docs/spec/language.md 6.8 and 6.13).
 
+mod layers;
+
 use std::sync::Arc;
 
 use super::depth::Nested;
@@ -9,6 +11,7 @@ use super::pigment::BlendMap;
 use super::{Field, Pigment};
 use crate::math::{DVec2, Rgb, Rgbft, Transform};
 use crate::source::Span;
+pub use layers::{Layers, Paint};
 
 /// A texture and where it is.
 #[derive(Clone, Debug)]
@@ -24,7 +27,7 @@ pub struct Texture {
 #[derive(Clone, Debug)]
 pub enum TextureBody {
     /// One or more layers, the lowest first.
-    Layered(Vec<Layer>),
+    Layered(Layers),
     /// A pattern that selects or blends whole textures; for `average` the positions are weights.
     Patterned {
         /// The pattern.
@@ -53,7 +56,7 @@ pub struct Layer {
     /// Where it was written, or the object that took the default.
     pub span: Span,
     /// Colour.
-    pub pigment: Arc<Pigment>,
+    pub paint: Paint,
     /// Bumps.
     pub normal: Option<Arc<Normal>>,
     /// How it answers light.
@@ -197,15 +200,17 @@ impl Texture {
     }
 }
 
+impl From<Layer> for Texture {
+    fn from(layer: Layer) -> Self {
+        Self::new(TextureBody::Layered(Layers::One(layer)))
+    }
+}
+
 impl Default for Texture {
     /// POV-Ray's: black, ambient 0.1, diffuse 0.6 (docs/spec/patterns-textures.md 7.1).
     fn default() -> Self {
-        Self::new(TextureBody::Layered(vec![Layer {
-            span: Span::default(),
-            pigment: Arc::new(Pigment::color(Rgbft::BLACK)),
-            normal: None,
-            finish: Arc::default(),
-        }]))
+        let paint = Paint::Color(Rgbft::BLACK.to_array());
+        Self::from(Layer { span: Span::default(), paint, normal: None, finish: Arc::default() })
     }
 }
 

@@ -386,7 +386,7 @@ impl Geometry {
             if leaf.hidden.intersects(RayKind::SHADOW) {
                 return false;
             }
-            if object.opaque && leaf.limits.is_none() {
+            if object.opaque && !leaf.is_limited() {
                 return leaf.primitive.occludes(&leaf.asked(ray), range);
             }
             // No other member has a say about where a lone solid begins and ends.

@@ -46,6 +46,10 @@ bitflags! {
         const INVISIBLE = 1 << 7;
         /// All beyond its box is inside.
         const BEYOND = 1 << 8;
+        /// It has [limits](Leaf::limits).
+        const LIMITED = 1 << 9;
+        /// It shows more than one texture: another from inside, or those of a list.
+        const SEVERAL = 1 << 10;
     }
 }
 
@@ -56,15 +60,10 @@ pub struct Leaf {
     pub primitive: Primitive,
     /// From the primitive's space to the world; `None` is the identity.
     pub transform: Option<Box<Transform>>,
-    /// The box where its inside may be, and all of its surface, where that isn't its primitive's own:
-    /// only compounds ask often enough to keep that.
-    pub bounds: Option<Box<Bounds>>,
+    /// What few of very many leaves have.
+    pub rare: Option<Box<Rare>>,
     /// The size of the numbers that its points are computed from, but for those of the ray.
     pub reach: f32,
-    /// `clipped_by` and `bounded_by`.
-    pub limits: Option<Box<Limits>>,
-    /// The compound it is a member of.
-    pub parent: Numbered,
     /// On/off traits.
     pub flags: LeafFlags,
     /// Rays that pass through it.
@@ -72,16 +71,34 @@ pub struct Leaf {
     /// The surface: a number into the world's textures; `None` takes that of the solids cut
     /// (`cutaway_textures`) or brings its own.
     pub texture: Numbered,
-    /// The surface seen from inside.
-    pub interior_texture: Numbered,
-    /// Where in the world's textures the shape's own list is; empty for most.
-    pub own_textures: Range<u32>,
     /// What it is filled with: a number into the world's interiors.
     pub interior: u32,
     /// Which lights reach it: a number into the world's light sets.
     pub lights: u32,
     /// The statement it comes from, for whoever started the rendering to look up.
     pub origin: u32,
+}
+
+/// What few of very many leaves have.
+#[derive(Debug)]
+pub struct Rare {
+    /// The box where the leaf's inside may be, and all of its surface, where that isn't its primitive's own:
+    /// only compounds ask often enough to keep that.
+    bounds: Option<Bounds>,
+    limits: Option<Box<Limits>>,
+    parent: Numbered,
+    interior_texture: Numbered,
+    own_textures: Range<u32>,
+}
+
+impl Rare {
+    const NONE: Self = Self {
+        bounds: None,
+        limits: None,
+        parent: Numbered::NONE,
+        interior_texture: Numbered::NONE,
+        own_textures: 0..0,
+    };
 }
 
 /// A number that may be missing, in the room of one.
@@ -109,7 +126,7 @@ impl Leaf {
     /// Where its inside may be, and all of its surface.
     #[inline]
     pub fn extent(&self) -> Extent {
-        let bounds = self.bounds.as_ref().map_or_else(|| self.own_bounds(), |bounds| **bounds);
+        let bounds = self.rare.as_ref().and_then(|rare| rare.bounds).unwrap_or_else(|| self.own_bounds());
         Extent { bounds, beyond: self.flags.contains(LeafFlags::BEYOND) }
     }
 
@@ -121,6 +138,86 @@ impl Leaf {
             (primitive, Some(place)) => primitive.bounds().transformed(place),
             (primitive, None) => primitive.bounds(),
         })
+    }
+
+    /// `clipped_by` and `bounded_by`.
+    #[inline]
+    pub fn limits(&self) -> Option<&Limits> {
+        self.rare.as_ref()?.limits.as_deref()
+    }
+
+    /// Whether there is anything it is clipped or bounded by.
+    #[inline(always)]
+    pub fn is_limited(&self) -> bool {
+        self.flags.contains(LeafFlags::LIMITED)
+    }
+
+    /// The compound it is a member of.
+    pub fn parent(&self) -> Option<u32> {
+        self.rare.as_ref()?.parent.get()
+    }
+
+    /// The surface seen from inside, where that is another: a number into the world's textures.
+    #[inline]
+    pub fn interior_texture(&self) -> Option<u32> {
+        let rare = self.rare.as_ref().filter(|_| self.flags.contains(LeafFlags::SEVERAL))?;
+        rare.interior_texture.get()
+    }
+
+    /// Where in the world's textures the shape's own list is; empty for most.
+    #[inline]
+    pub fn own_textures(&self) -> Range<u32> {
+        let rare = self.rare.as_ref().filter(|_| self.flags.contains(LeafFlags::SEVERAL));
+        rare.map_or(0..0, |rare| rare.own_textures.clone())
+    }
+
+    fn rare(&mut self) -> &mut Rare {
+        self.rare.get_or_insert_with(|| Box::new(Rare::NONE))
+    }
+
+    /// Keeps the box where its inside may be, and all of its surface.
+    pub fn set_bounds(&mut self, bounds: Bounds) {
+        self.rare().bounds = Some(bounds);
+    }
+
+    /// Keeps the box no longer, unless it is not its primitive's own.
+    pub fn forget_bounds(&mut self) {
+        if self.is_limited() {
+            return;
+        }
+        self.rare().bounds = None;
+        if !self.flags.contains(LeafFlags::SEVERAL) && self.parent().is_none() {
+            self.rare = None;
+        }
+    }
+
+    /// Replaces what it is clipped and bounded by.
+    pub fn set_limits(&mut self, limits: Option<Box<Limits>>) {
+        self.flags.set(LeafFlags::LIMITED, limits.is_some());
+        if limits.is_some() || self.rare.is_some() {
+            self.rare().limits = limits;
+        }
+    }
+
+    /// What it is clipped and bounded by, to be added to.
+    pub fn limit(&mut self) -> &mut Limits {
+        self.flags.insert(LeafFlags::LIMITED);
+        self.rare().limits.get_or_insert_default()
+    }
+
+    /// Makes it a member of a compound.
+    pub fn set_parent(&mut self, group: u32) {
+        self.rare().parent = Some(group).into();
+    }
+
+    /// Gives it a surface seen from inside, or a list of its own.
+    pub fn set_textures(&mut self, inner: Numbered, own: Range<u32>) {
+        let several = inner != Numbered::NONE || !own.is_empty();
+        self.flags.set(LeafFlags::SEVERAL, several);
+        if several {
+            let rare = self.rare();
+            (rare.interior_texture, rare.own_textures) = (inner, own);
+        }
     }
 
     /// The ray in the primitive's space.
@@ -138,7 +235,7 @@ impl Leaf {
 
     /// Whether it is a solid that any line is inside of on one stretch, and nothing cuts it.
     pub fn is_convex(&self) -> bool {
-        self.primitive.is_convex() && self.flags.contains(LeafFlags::SOLID) && self.limits.is_none()
+        self.primitive.is_convex() && self.flags.contains(LeafFlags::SOLID) && !self.is_limited()
     }
 
     /// The point in the primitive's space.

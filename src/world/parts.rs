@@ -61,7 +61,7 @@ fn odd_one(operation: Operation, members: &[Member], parts: &Parts) -> Option<u3
     for &member in members {
         let Member::Leaf(number) = member else { return None };
         let leaf = parts.leaf(number);
-        let solid = leaf.flags.contains(LeafFlags::SOLID) && leaf.limits.is_none();
+        let solid = leaf.flags.contains(LeafFlags::SOLID) && !leaf.is_limited();
         if !solid || *hidden.get_or_insert(leaf.hidden) != leaf.hidden {
             return None;
         }
@@ -209,7 +209,7 @@ impl Parts {
     #[inline]
     pub(super) fn limits(&self, member: Member) -> Option<&Limits> {
         match member {
-            Member::Leaf(number) => self.leaf(number).limits.as_deref(),
+            Member::Leaf(number) => self.leaf(number).limits(),
             Member::Group(number) => self.group(number).limits.as_deref(),
         }
     }

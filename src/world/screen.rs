@@ -60,7 +60,7 @@ impl Screen {
             if leaf.hidden.intersects(RayKind::SHADOW) {
                 return None;
             }
-            if let Some(balls) = Balls::of(leaf).filter(|_| leaf.limits.is_none()) {
+            if let Some(balls) = Balls::of(leaf).filter(|_| !leaf.is_limited()) {
                 (center, outer) = (balls.center, balls.outer);
                 inner = if leaf.flags.contains(LeafFlags::OPAQUE) { balls.inner } else { -1.0 };
             }

@@ -5,15 +5,18 @@ mod along;
 pub mod blend_map;
 pub mod finish;
 pub mod normal;
+pub mod paint;
 pub mod pigment;
 
 pub use blend_map::{BlendMap, Pick};
 pub use finish::{Finish, Irid, Reflection, Subsurface};
 pub use normal::{Normal, NormalKind};
+pub use paint::Paint;
 pub use pigment::Pigment;
 
 pub use super::sample::Sample;
 
+use std::slice;
 use std::sync::Arc;
 
 use smallvec::SmallVec;
@@ -26,11 +29,16 @@ use crate::math::{DVec3, Rgb, Transform};
 
 /// A texture and where it is.
 #[derive(Clone, Debug)]
-pub struct Texture {
-    /// What it looks like.
-    pub body: Arc<TextureBody>,
-    /// From the space the body was written in to the world, as a way of one step; empty for the identity.
-    placement: Warps,
+pub enum Texture {
+    /// One layer that looks the same wherever it is, in little room: scenes have millions.
+    Even(Layer),
+    /// Any other.
+    Placed {
+        /// What it looks like.
+        body: Arc<TextureBody>,
+        /// From the space the body was written in to the world, as a way of one step; empty for the identity.
+        placement: Warps,
+    },
 }
 
 /// What a texture looks like.
@@ -69,7 +77,7 @@ pub enum TextureBody {
 #[derive(Clone, Debug)]
 pub struct Layer {
     /// Colour.
-    pub pigment: Arc<Pigment>,
+    pub paint: Paint,
     /// Bumps.
     pub normal: Option<Arc<Normal>>,
     /// How it answers light.
@@ -79,16 +87,30 @@ pub struct Layer {
 impl TextureBody {
     /// Whether it looks the same wherever it is.
     fn is_everywhere_alike(&self) -> bool {
-        matches!(self, Self::Layered { layers, .. } if layers.iter().all(Layer::is_even))
+        self.layers().is_some_and(|layers| layers.iter().all(Layer::is_even))
+    }
+
+    /// The only layers, where there is no pattern.
+    #[inline]
+    fn layers(&self) -> Option<&[Layer]> {
+        match self {
+            Self::Layered { layers, .. } => Some(layers),
+            _ => None,
+        }
     }
 }
 
 impl Texture {
     /// A texture and the way from its space to the world.
     pub fn new(body: Arc<TextureBody>, placement: &Transform) -> Self {
+        if let Some([layer]) = body.layers()
+            && layer.is_even()
+        {
+            return Self::Even(layer.clone());
+        }
         let step = (!placement.is_identity() && !body.is_everywhere_alike())
             .then(|| Warp::Transform(Box::new(*placement)));
-        Self { body, placement: Warps::new(step) }
+        Self::Placed { body, placement: Warps::new(step) }
     }
 
     /// Calls `shade` with every plain texture that shows at the sample, with its share, in the order
@@ -104,31 +126,39 @@ impl Texture {
     /// The only layers, where the texture has no pattern and they are to be seen where the sample is.
     #[inline]
     pub fn layers_in_place(&self) -> Option<&[Layer]> {
-        self.layers().filter(|_| self.placement.is_empty())
+        match self {
+            Self::Even(layer) => Some(slice::from_ref(layer)),
+            Self::Placed { body, placement } => body.layers().filter(|_| placement.is_empty()),
+        }
     }
 
     fn walk(&self, weight: f32, sample: &mut Sample, shade: &mut dyn FnMut(f32, &[Layer], &mut Sample)) {
+        let (body, warps) = match self {
+            Self::Even(layer) => return shade(weight, slice::from_ref(layer), sample),
+            Self::Placed { body, placement } => (&**body, placement),
+        };
         // Where it is evaluated, the place of a uv-mapped texture doesn't matter.
-        let moved = !self.placement.is_empty() && !matches!(*self.body, TextureBody::UvMapped(_));
-        if !moved {
-            return self.body.walk(weight, sample, shade);
+        if warps.is_empty() || matches!(body, TextureBody::UvMapped(_)) {
+            return body.walk(weight, sample, shade);
         }
-        let no_bump_scale = matches!(*self.body, TextureBody::Patterned { no_bump_scale: true, .. });
         let placement = Enclosing {
-            warps: &self.placement,
-            no_bump_scale,
-            of_layers: matches!(*self.body, TextureBody::Layered { .. }),
+            warps,
+            no_bump_scale: matches!(body, TextureBody::Patterned { no_bump_scale: true, .. }),
+            of_layers: matches!(body, TextureBody::Layered { .. }),
             outer: sample.enclosing,
         };
-        let point = self.placement.point(sample.point);
-        let mut inner = Sample { point, enclosing: Some(&placement), ..*sample };
-        self.body.walk(weight, &mut inner, shade);
+        let mut inner = Sample { point: warps.point(sample.point), enclosing: Some(&placement), ..*sample };
+        body.walk(weight, &mut inner, shade);
         sample.bent = inner.bent;
     }
 
     /// Whether nothing shines through anywhere.
     pub fn is_opaque(&self) -> bool {
-        match &*self.body {
+        let body = match self {
+            Self::Even(layer) => return layer.paint.is_opaque(),
+            Self::Placed { body, .. } => body,
+        };
+        match &**body {
             TextureBody::Layered { opaque, .. } => *opaque,
             TextureBody::Patterned { map, .. } => {
                 map.entries().iter().all(|(_, texture)| texture.is_opaque())
@@ -158,7 +188,7 @@ impl Texture {
     pub fn shadow_filter(&self, sample: &Sample) -> Rgb {
         let mut sum = Rgb::ZERO;
         self.resolve(&mut { *sample }, &mut |weight, layers, sample| {
-            let colors = layers.iter().filter_map(|layer| layer.pigment.color(sample));
+            let colors = layers.iter().filter_map(|layer| layer.paint.color(sample));
             sum += weight * colors.fold(Rgb::ONE, |passed, color| passed * color.through());
         });
         sum
@@ -167,9 +197,9 @@ impl Texture {
     /// The only layers, where the texture has no pattern: the same at every sample.
     #[inline]
     pub fn layers(&self) -> Option<&[Layer]> {
-        match &*self.body {
-            TextureBody::Layered { layers, .. } => Some(layers),
-            _ => None,
+        match self {
+            Self::Even(layer) => Some(slice::from_ref(layer)),
+            Self::Placed { body, .. } => body.layers(),
         }
     }
 }
@@ -225,17 +255,17 @@ impl Layer {
     /// Whether it looks the same wherever it is.
     #[inline]
     pub fn is_even(&self) -> bool {
-        self.normal.is_none() && matches!(*self.pigment, Pigment::Color(_))
+        self.normal.is_none() && self.paint.even().is_some()
     }
 
     /// Whether its pigment is clear and the same everywhere.
     fn is_clear(&self) -> bool {
-        matches!(*self.pigment, Pigment::Color(color) if color.transmit == 1.0 && color.filter == 0.0)
+        self.paint.even().is_some_and(|color| color.transmit == 1.0 && color.filter == 0.0)
     }
 
     /// Whether light that passes its pigment stays as it is.
     fn passes_light(&self) -> bool {
-        matches!(*self.pigment, Pigment::Color(color) if color.through() == Rgb::ONE && color.opacity() == 0.0)
+        self.paint.even().is_some_and(|color| color.through() == Rgb::ONE && color.opacity() == 0.0)
     }
 
     /// Whether it shows nothing but its pigment.

@@ -67,7 +67,7 @@ impl Asking<'_> {
     #[inline(always)]
     fn lone(&self, number: u32) -> Option<&Leaf> {
         let leaf = self.geometry.lone(number)?;
-        (leaf.transform.is_none() && leaf.limits.is_none() && leaf.primitive.takes_four()).then_some(leaf)
+        (leaf.transform.is_none() && !leaf.is_limited() && leaf.primitive.takes_four()).then_some(leaf)
     }
 
     /// The bits of the rays that may meet an object, where its surface tells that better than its box.
@@ -118,7 +118,7 @@ impl Asking<'_> {
         let parts = self.geometry.parts();
         let Member::Leaf(place) = parts.objects[number as usize].member else { return false };
         let leaf = parts.leaf(place);
-        if leaf.limits.is_some() || leaf.hidden.intersects(self.kind) {
+        if leaf.is_limited() || leaf.hidden.intersects(self.kind) {
             return false;
         }
         let mut found = [None; Lanes::COUNT];

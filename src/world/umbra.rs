@@ -253,7 +253,7 @@ impl Geometry {
         let screen = Screen::new(object, &parts.objects[object as usize], parts, lamp)?;
         let far = cell.center().distance(lamp) + cell.size().length();
         let box_of = |bounds: &Bounds, place| Sides::of_box(bounds, place, lamp, far);
-        let leaf = self.lone(object).filter(|leaf| leaf.limits.is_none());
+        let leaf = self.lone(object).filter(|leaf| !leaf.is_limited());
         let place = leaf.and_then(|leaf| leaf.transform.as_deref());
         let opaque = leaf.is_some_and(|leaf| leaf.flags.contains(LeafFlags::OPAQUE));
         let (sides, fills) = match leaf.map(|leaf| &leaf.primitive) {

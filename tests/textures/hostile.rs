@@ -90,7 +90,7 @@ fn any_number_is_survived_by_pigments_and_normals() {
             let mut sample = Sample::on_surface(point, DVec3::X, DVec3::Z, DVec2::ZERO);
             let layer = &texture.layers().unwrap()[0];
             layer.bend(&mut sample);
-            let color = layer.pigment.color(&sample).unwrap();
+            let color = layer.paint.color(&sample).unwrap();
             assert!(map.is_empty() || color.rgb.x == 0.25, "{body}: {color:?}");
         }
     }

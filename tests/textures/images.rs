@@ -86,7 +86,7 @@ fn material_maps_select_by_index_or_by_red() {
         let mut sample = Sample::on_surface(DVec3::new(0.5, 0.5, 0.0), -DVec3::Z, DVec3::Z, DVec2::ZERO);
         let mut found = Vec::new();
         texture(text, folder.path()).unwrap().resolve(&mut sample, &mut |weight, layers, sample| {
-            found.push((weight, layers[0].pigment.color(sample).unwrap().rgb.x));
+            found.push((weight, layers[0].paint.color(sample).unwrap().rgb.x));
         });
         let [(1.0, red)] = found[..] else { panic!("{found:?}") };
         red
@@ -196,7 +196,7 @@ fn heights_have_sixteen_bits() {
     let mut sample = Sample::on_surface(DVec3::X, -DVec3::Z, DVec3::Z, DVec2::ZERO);
     let mut heights = DVec2::ZERO;
     texture(text, folder.path()).unwrap().resolve(&mut sample, &mut |_, layers, sample| {
-        let color = layers[0].pigment.color(sample).unwrap().rgb;
+        let color = layers[0].paint.color(sample).unwrap().rgb;
         heights = DVec2::new(f64::from(color.x), f64::from(color.y));
     });
     let expected = DVec2::new(f64::from(0x8000), f64::from(0x4012)) / 65536.0;
@@ -214,7 +214,7 @@ fn max_extent_tells_the_size_of_an_image() {
         let mut sample = Sample::on_surface(DVec3::X, -DVec3::Z, DVec3::Z, DVec2::ZERO);
         let mut size = Default::default();
         texture(&text, folder.path())?.resolve(&mut sample, &mut |_, layers, sample| {
-            size = layers[0].pigment.color(sample).unwrap().rgb.to_array();
+            size = layers[0].paint.color(sample).unwrap().rgb.to_array();
         });
         Ok::<_, String>(size)
     };

@@ -46,7 +46,8 @@ fn read(text: &str, folder: &Path) -> Result<Scene, String> {
 /// The function that the scene's only object is painted with, taken out of the sum it stands in.
 fn painted(scene: &Scene) -> Option<Arc<Function>> {
     let TextureBody::Layered(layers) = &*scene.objects.first()?.texture.as_ref()?.body else { return None };
-    let PigmentKind::Colors { field, .. } = &layers.first()?.pigment.kind else { return None };
+    let pigment = layers.first()?.paint.pigment();
+    let PigmentKind::Colors { field, .. } = &pigment.kind else { return None };
     let Pattern::Function(function) = &*field.pattern else { return None };
     match &*function.body {
         FunctionBody::Expression(Expr::User(inner, _) | Expr::Component(inner, _, _)) => Some(inner.clone()),

@@ -218,7 +218,7 @@ fn patterns_of_the_surface_have_povrays_values() {
                 let mut sample = Sample::on_surface(hit, hit / 3.0, DVec3::Z, DVec2::ZERO);
                 let layer = &texture.layers().unwrap()[0];
                 layer.bend(&mut sample);
-                let found = layer.pigment.color(&sample).unwrap().rgb.x;
+                let found = layer.paint.color(&sample).unwrap().rgb.x;
                 // Colours are kept in single precision.
                 let expected = format!("{:.7}", row[4].parse::<f32>().unwrap());
                 report.compare(&row[0], &row[2], f64::from(found), &expected);

@@ -6,6 +6,7 @@ mod csg;
 mod extremes;
 mod oracle;
 mod outline;
+mod room;
 mod scene;
 
 use std::sync::Arc;

@@ -217,7 +217,7 @@ fn bounds_that_are_too_small_cut() {
     let rod = bounded(object(Shape::Poly(Arc::new(poly))), sphere(DVec3::ZERO, 1.));
     assert!(meets(std::slice::from_ref(&rod), 0.9) && !meets(&[rod], 1.1));
     let roomy = bounded(sphere(DVec3::ZERO, 2.), cube(-3. * DVec3::ONE, 3. * DVec3::ONE));
-    assert!(geometry(&[roomy]).parts().leaves[0].limits.is_none());
+    assert!(geometry(&[roomy]).parts().leaves[0].limits().is_none());
 }
 
 #[test]

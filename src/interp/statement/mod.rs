@@ -156,7 +156,7 @@ pub fn read_default(vm: &mut Vm, span: Span) -> Result<()> {
             Some(Word::Pigment) => {
                 let base = vm.state.pigment();
                 let pigment = pigment::block(vm, &base)?;
-                vm.state.layer().pigment = pigment;
+                vm.state.layer().paint = pigment.into();
             }
             Some(Word::Normal) => {
                 let base = vm.state.normal();

@@ -15,7 +15,7 @@ use crate::source::Span;
 pub(in crate::interp) fn block(vm: &mut Vm<'_>, base: &Arc<Pigment>) -> Result<Arc<Pigment>> {
     if let Some(rgb) = vm.replay_color() {
         let kind = PigmentKind::Color(Rgbft::opaque(DVec3::from_array(rgb).as_vec3a()));
-        return Ok(shared(vm, Pigment { kind, quick_color: base.quick_color.clone() }));
+        return Ok(Arc::new(Pigment { kind, quick_color: base.quick_color.clone() }));
     }
     let block = vm.enter()?;
     let pigment = body(vm, base, Owner::Pigment)?;
@@ -68,25 +68,11 @@ fn inside(vm: &mut Vm<'_>, base: &Arc<Pigment>, owner: Owner) -> Result<Arc<Pigm
     Ok(pigment)
 }
 
-/// A pigment of one colour, shared with the one before if that is the same: loops make many alike.
-fn shared(vm: &mut Vm<'_>, pigment: Pigment) -> Arc<Pigment> {
-    let same = |last: &&Arc<Pigment>| match (&last.kind, &pigment.kind) {
-        (PigmentKind::Color(last_color), PigmentKind::Color(color)) => {
-            last_color == color && last.quick_color == pigment.quick_color
-        }
-        _ => false,
-    };
-    if let Some(last) = vm.state.last_pigment.as_ref().filter(same) {
-        return Arc::clone(last);
-    }
-    Arc::clone(vm.state.last_pigment.insert(Arc::new(pigment)))
-}
-
 /// Reads a colour, a picture or a pattern, if one comes next.
 pub(super) fn start(vm: &mut Vm<'_>, pigment: &mut Arc<Pigment>, owner: Owner) -> Result<bool> {
     if vm.at_color()? {
         let kind = PigmentKind::Color(color::rgbft(vm)?);
-        *pigment = shared(vm, Pigment { kind, quick_color: pigment.quick_color.clone() });
+        *pigment = Arc::new(Pigment { kind, quick_color: pigment.quick_color.clone() });
         return Ok(true);
     }
     match vm.peek_word()? {

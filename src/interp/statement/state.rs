@@ -9,7 +9,7 @@ use crate::interp::Vm;
 use crate::math::Rgbft;
 use crate::scene::object::ObjectFlags;
 use crate::scene::shape::CsgOperation;
-use crate::scene::texture::{Layer, TextureBody};
+use crate::scene::texture::{Layer, Paint, TextureBody};
 use crate::scene::{
     Camera, Finish, Fog, Media, Normal, Object, Pigment, Rainbow, Scene, Settings, Shape, SkySphere, Texture,
 };
@@ -38,8 +38,7 @@ pub struct State {
     pub(super) fogs: Vec<Fog>,
     pub(super) rainbows: Vec<Rainbow>,
     pub(super) atmosphere: Vec<Media>,
-    /// The last pigment of one colour, and the last finish: others alike share them.
-    pub(super) last_pigment: Option<Arc<Pigment>>,
+    /// The last finish: others alike share it.
     pub(super) last_finish: Option<Arc<Finish>>,
     objects: Vec<Arc<Object>>,
 }
@@ -49,13 +48,13 @@ impl Default for State {
         let unset = Arc::new(Pigment::color(Rgbft::BLACK));
         let layer = Layer {
             span: Span::default(),
-            pigment: Arc::clone(&unset),
+            paint: Paint::Pigment(Arc::clone(&unset)),
             normal: None,
             finish: Arc::default(),
         };
         Self {
             unset,
-            texture: Texture::new(TextureBody::Layered(vec![layer])),
+            texture: layer.into(),
             bumps: Bumps::default(),
             camera: Draft::default(),
             importance: None,
@@ -67,7 +66,6 @@ impl Default for State {
             fogs: Vec::new(),
             rainbows: Vec::new(),
             atmosphere: Vec::new(),
-            last_pigment: None,
             last_finish: None,
             objects: Vec::new(),
         }
@@ -111,7 +109,7 @@ impl State {
 
     /// The default pigment.
     pub(super) fn pigment(&self) -> Arc<Pigment> {
-        self.top().map_or_else(|| self.empty(), |layer| Arc::clone(&layer.pigment))
+        self.top().map_or_else(|| self.empty(), |layer| layer.paint.pigment())
     }
 
     /// The default normal.

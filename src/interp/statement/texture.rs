@@ -13,7 +13,7 @@ use crate::interp::value::Value;
 use crate::interp::{Result, Vm, Word};
 use crate::math::Transform;
 use crate::scene::Texture;
-use crate::scene::texture::{Layer, TextureBody};
+use crate::scene::texture::{Layer, Paint, TextureBody};
 
 /// Reads `texture { … }`; its keyword comes next.
 pub(in crate::interp) fn block(vm: &mut Vm<'_>) -> Result<Texture> {
@@ -77,7 +77,7 @@ fn plain(vm: &mut Vm<'_>, mut texture: Texture) -> Result<Texture> {
         match vm.peek_word()? {
             Some(Word::Pigment) => {
                 let top = layers::top(vm, &mut texture)?;
-                top.pigment = pigment::block(vm, &top.pigment)?;
+                top.paint = pigment::block(vm, &top.paint.pigment())?.into();
             }
             Some(Word::Normal) => {
                 let top = layers::top(vm, &mut texture)?;
@@ -111,7 +111,7 @@ fn plain(vm: &mut Vm<'_>, mut texture: Texture) -> Result<Texture> {
 pub(super) fn apply(texture: &mut Texture, by: &Transform) {
     match Arc::make_mut(&mut texture.body) {
         TextureBody::Layered(layers) => {
-            for layer in layers {
+            for layer in &mut layers[..] {
                 move_layer(layer, by);
             }
         }
@@ -123,8 +123,10 @@ pub(super) fn apply(texture: &mut Texture, by: &Transform) {
 }
 
 fn move_layer(layer: &mut Layer, by: &Transform) {
-    if layer.pigment.field().is_some() {
-        Arc::make_mut(&mut layer.pigment).apply(by);
+    if let Paint::Pigment(pigment) = &mut layer.paint
+        && pigment.field().is_some()
+    {
+        Arc::make_mut(pigment).apply(by);
     }
     if let Some(normal) = &mut layer.normal {
         Arc::make_mut(normal).apply(by);

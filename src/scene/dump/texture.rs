@@ -34,7 +34,7 @@ pub(super) fn dump(word: &str, texture: &Texture) -> Block {
 
 fn layer(layer: &Layer) -> Block {
     Block::new("")
-        .block(pigment("pigment", &layer.pigment))
+        .block(pigment("pigment", &layer.paint.pigment()))
         .blocks(layer.normal.as_deref().map(normal))
         .block(finish(&layer.finish))
 }

@@ -134,7 +134,7 @@ impl Parts {
         let leaf = self.leaf(number);
         let place = scratch.near.len() as u32;
         let mut inside = Inside::Point;
-        if leaf.limits.is_none() || self.admits(Member::Leaf(number), way.ray) {
+        if !leaf.is_limited() || self.admits(Member::Leaf(number), way.ray) {
             let ray = leaf.asked(way.ray);
             let seen = !leaf.hidden.intersects(way.kind);
             let found = |crossing| Found { crossing, leaf: number, near: place };
@@ -164,7 +164,7 @@ impl Parts {
         scratch.near.push(Near {
             member: Member::Leaf(number),
             operation: None,
-            clipped: leaf.limits.is_some(),
+            clipped: leaf.is_limited(),
             parent: way.parent,
             outer: place,
             inner: place,
@@ -264,7 +264,7 @@ impl Parts {
             // Of what is convex the stretch inside says it all.
             if let Member::Leaf(number) = bound
                 && let leaf = self.leaf(number)
-                && leaf.limits.is_none()
+                && !leaf.is_limited()
                 && !leaf.flags.contains(LeafFlags::INVERTED)
                 && leaf.primitive.is_convex()
             {
@@ -283,7 +283,7 @@ fn inside_leaf(leaf: &Leaf, stretch: Option<Option<(f64, f64)>>) -> Inside {
     if !leaf.flags.contains(LeafFlags::SOLID) {
         return Inside::Surface;
     }
-    if leaf.limits.is_some() {
+    if leaf.is_limited() {
         return Inside::Point;
     }
     let inverted = leaf.flags.contains(LeafFlags::INVERTED);

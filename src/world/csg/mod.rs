@@ -67,7 +67,7 @@ impl Parts {
             if leaf.hidden.intersects(kind) {
                 return None;
             }
-            if leaf.limits.is_none() {
+            if !leaf.is_limited() {
                 let crossing = leaf.primitive.nearest(&leaf.asked(ray), range)?;
                 return Some(Found { crossing, leaf: number, near: 0 });
             }

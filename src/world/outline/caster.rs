@@ -97,7 +97,7 @@ impl Caster {
 
 impl Form {
     fn of_leaf(leaf: &Leaf) -> Option<Self> {
-        let fit = leaf.limits.is_none()
+        let fit = !leaf.is_limited()
             && !leaf.hidden.intersects(RayKind::SHADOW)
             && leaf.flags.contains(LeafFlags::SOLID)
             && !leaf.flags.contains(LeafFlags::INVERTED)

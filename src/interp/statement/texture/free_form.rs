@@ -1,11 +1,14 @@
 //! Textures before version 3.0: the words of pigment, normal and finish stand in them directly, in any
 //! order (docs/spec/language.md 6.8).
 
+use std::sync::Arc;
+
 use super::super::pattern::{self, Owner};
 use super::super::{finish, normal, pigment};
 use super::layers;
 use crate::interp::{Result, Vm, Word};
-use crate::scene::Texture;
+use crate::scene::texture::Layer;
+use crate::scene::{Pigment, Texture};
 
 /// The version with which `pigment`, `normal` and `finish` came.
 const FIRST_WITH_BLOCKS: i32 = 300;
@@ -26,7 +29,7 @@ pub(super) fn grain(vm: &mut Vm<'_>, texture: &mut Texture) -> Result<()> {
     }
     let crand = crand as f32;
     let top = layers::top(vm, texture)?;
-    std::sync::Arc::make_mut(&mut top.finish).crand = crand;
+    Arc::make_mut(&mut top.finish).crand = crand;
     Ok(())
 }
 
@@ -44,13 +47,19 @@ pub(super) fn item(vm: &mut Vm<'_>, texture: &mut Texture) -> Result<bool> {
         Some(Word::BumpSize | Word::SlopeMap | Word::NormalMap) => normal::modifier(vm, &mut top.normal),
         // What begins the next statement of an object is no item.
         Some(word) if pattern::is_modifier(word) || is_pigment(word) => {
-            pigment::modifier(vm, &mut top.pigment, Owner::Pigment, true)
+            painted(top, |pigment| pigment::modifier(vm, pigment, Owner::Pigment, true))
         }
-        _ => {
-            Ok(finish::free_item(vm, &mut top.finish)?
-                || pigment::start(vm, &mut top.pigment, Owner::Pigment)?)
-        }
+        _ => Ok(finish::free_item(vm, &mut top.finish)?
+            || painted(top, |pigment| pigment::start(vm, pigment, Owner::Pigment))?),
     }
+}
+
+/// Changes the pigment of a layer.
+fn painted(layer: &mut Layer, change: impl FnOnce(&mut Arc<Pigment>) -> Result<bool>) -> Result<bool> {
+    let mut pigment = layer.paint.pigment();
+    let changed = change(&mut pigment)?;
+    layer.paint = pigment.into();
+    Ok(changed)
 }
 
 fn is_pigment(word: Word) -> bool {

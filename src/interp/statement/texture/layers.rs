@@ -34,7 +34,9 @@ pub(in crate::interp::statement) fn layer(
             layers.extend(added.iter().map(|layer| {
                 let mut layer = layer.clone();
                 if old {
-                    Arc::make_mut(&mut layer.pigment).filter_to_transmit();
+                    let mut pigment = layer.paint.pigment();
+                    Arc::make_mut(&mut pigment).filter_to_transmit();
+                    layer.paint = pigment.into();
                 }
                 layer
             }));
@@ -82,7 +84,7 @@ pub(in crate::interp::statement) fn part(vm: &mut Vm<'_>, texture: &mut Option<T
         let Some(mut layer) = default(vm) else { return Err(vm.expected("`texture`")) };
         layer.span = keyword.span;
         read_part(vm, &mut layer)?;
-        *texture = Some(Texture::new(TextureBody::Layered(vec![layer])));
+        *texture = Some(layer.into());
         return Ok(());
     }
     match texture {
@@ -94,7 +96,7 @@ pub(in crate::interp::statement) fn part(vm: &mut Vm<'_>, texture: &mut Option<T
 /// Reads one part into a layer.
 fn read_part(vm: &mut Vm<'_>, layer: &mut Layer) -> Result<()> {
     match vm.peek_word()? {
-        Some(Word::Pigment) => layer.pigment = pigment::block(vm, &layer.pigment)?,
+        Some(Word::Pigment) => layer.paint = pigment::block(vm, &layer.paint.pigment())?.into(),
         Some(Word::Normal) => layer.normal = Some(normal::block(vm, layer.normal.as_ref())?),
         _ => layer.finish = finish::block(vm, &layer.finish)?,
     }
@@ -110,7 +112,7 @@ pub(super) fn variable(vm: &mut Vm<'_>, texture: &mut Texture) -> Result<bool> {
     let Some(part) = part else { return Ok(false) };
     let top = top(vm, texture)?;
     match part {
-        Value::Pigment(pigment) => top.pigment = pigment,
+        Value::Pigment(pigment) => top.paint = pigment.into(),
         Value::Normal(normal) => top.normal = Some(normal),
         Value::Finish(finish) => top.finish = finish,
         _ => {}
