@@ -28,6 +28,9 @@ const MANY: usize = 2048;
 /// built beside are in the way until they are all there.
 const VERY_MANY: usize = 1 << 18;
 
+/// Parts of so many that are to fill their nodes are cut where as many as fill nodes lie to one side.
+const PACKED: usize = WIDTH * WIDTH;
+
 /// So many children a node has at least, on average.
 const FULL: usize = 4;
 
@@ -190,7 +193,7 @@ fn parts(part: Part, depth: u32, plan: Plan) -> SmallVec<[Part; WIDTH]> {
             break;
         };
         let Part { first, items, .. } = parts.swap_remove(largest);
-        let [left, right] = split(items, depth);
+        let [left, right] = split(items, depth, plan);
         let middle = first + left.0.len();
         parts.push(Part { first, bounds: left.1, items: left.0 });
         parts.push(Part { first: middle, bounds: right.1, items: right.0 });
@@ -203,10 +206,11 @@ fn around(items: &[Item]) -> Around {
 }
 
 /// Two parts, neither empty, and the boxes around them.
-fn split(items: &mut [Item], depth: u32) -> [(&mut [Item], Around); 2] {
+fn split(items: &mut [Item], depth: u32, plan: Plan) -> [(&mut [Item], Around); 2] {
     let places = places(items);
+    let packed = plan.whole > plan.longest && items.len() <= PACKED;
     let best = match items.len() {
-        _ if depth >= DEPTH_OF_HEURISTIC => None,
+        _ if depth >= DEPTH_OF_HEURISTIC || packed => None,
         ..=FEW => best_cut::<FEW>(items, places),
         _ => best_cut::<BINS>(items, places),
     };
@@ -217,7 +221,7 @@ fn split(items: &mut [Item], depth: u32) -> [(&mut [Item], Around); 2] {
         return [(left, left_bounds), (right, right_bounds)];
     }
     let axis = (places.high - places.low).max_position();
-    let half = items.len() / 2;
+    let half = if packed { (items.len() / 2).next_multiple_of(WIDTH) } else { items.len() / 2 };
     items.select_nth_unstable_by(half, |a, b| {
         a.place()[axis].total_cmp(&b.place()[axis]).then(a.number.cmp(&b.number))
     });
