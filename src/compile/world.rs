@@ -12,7 +12,7 @@ use crate::scene::{self, Object, Scene};
 use crate::source::Span;
 use crate::world::object::LeafFlags;
 use crate::world::parts::Parts;
-use crate::world::{Geometry, Interior, Member, Texture, World};
+use crate::world::{Geometry, Interior, LightSet, Member, Texture, World};
 
 /// A world, and what of the scene is not in it.
 #[derive(Debug)]
@@ -61,14 +61,15 @@ pub fn compile_knowing(mut scene: Scene, options: &RenderOptions, mut known: Kno
     let needs = needs::needs(&flat, &textures, &interiors);
     let lights =
         flat.lights.iter().map(|used| light::light(&used.light, &used.transform, used.projected_through));
-    let lights = lights.collect();
+    let lights: Vec<_> = lights.collect();
     mark_opaque(&mut flat, &surfaces);
+    let sets = flat.light_sets.into_iter().map(|numbers| LightSet::new(numbers, &lights));
     let world = World {
         geometry: Geometry::new(flat.parts, options.accelerator),
         textures: surfaces,
         interiors,
+        light_sets: sets.collect(),
         lights,
-        light_sets: flat.light_sets,
         camera,
         atmosphere,
         settings: settings::settings(&scene.settings),

@@ -56,6 +56,18 @@ impl Lanes {
         Self([pick(i, a, p), pick(j, b, q), pick(k, c, r), pick(l, d, s)])
     }
 
+    /// The lesser of each pair; the second where one is no number.
+    #[inline(always)]
+    pub fn lesser(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a < b { a } else { b })
+    }
+
+    /// The greater of each pair; the second where one is no number.
+    #[inline(always)]
+    pub fn greater(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a > b { a } else { b })
+    }
+
     /// The sum of products, as that of vectors.
     #[inline(always)]
     pub fn dot(a: &[Self; 3], b: &[Self; 3]) -> Self {

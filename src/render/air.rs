@@ -1,7 +1,7 @@
 //! What lies between surfaces: media inside objects, rainbows, media of the air, fog
 //! (docs/spec/atmosphere-gi.md 1.2 and 1.8).
 
-use super::media::{Stretch, mix, transmittance};
+use super::media::{Stretch, depth_of_a_unit, mix, transmittance};
 use super::refract::Inside;
 use super::trace::{Path, Tracer};
 use crate::math::Rgb;
@@ -30,7 +30,7 @@ impl Tracer<'_> {
         }
         let length = hit.map_or(FAR, |hit| hit.t);
         let lights = hit.map_or(GLOBAL, |hit| world.geometry.parts().leaf(hit.leaf).lights as usize);
-        let lights = &world.light_sets[lights];
+        let lights = Some(&world.light_sets[lights]);
         let mut veil = Veil::NONE;
         if filled {
             let media = mix(world, &path.inside);
@@ -62,11 +62,10 @@ impl Tracer<'_> {
             return Rgb::ONE;
         }
         if all().all(|media| media.density.is_uniform()) {
-            let depth: Rgb = all().map(|media| media.density.uniform * media.extinction).sum();
-            return transmittance(depth * length as f32);
+            return transmittance(depth_of_a_unit(all()) * length as f32);
         }
         let media = mix(world, inside);
-        self.media_shadow(&Stretch { ray: *ray, length, inside, media, lights: &[] })
+        self.media_shadow(&Stretch { ray: *ray, length, inside, media, lights: None })
     }
 
     /// What the air leaves of a lamp's light; fog only around `hollow` objects.
@@ -77,6 +76,14 @@ impl Tracer<'_> {
             return fog;
         }
         let media = atmosphere.media.iter().collect();
-        fog * self.media_shadow(&Stretch { ray: *ray, length, inside, media, lights: &[] })
+        fog * self.media_shadow(&Stretch { ray: *ray, length, inside, media, lights: None })
+    }
+
+    /// The optical depth of a unit of the air on the way to a lamp, if it is the same everywhere.
+    pub(super) fn even_air(&self) -> Option<Rgb> {
+        let atmosphere = &self.world.atmosphere;
+        let even =
+            atmosphere.fogs.is_empty() && atmosphere.media.iter().all(|media| media.density.is_uniform());
+        even.then(|| depth_of_a_unit(&atmosphere.media))
     }
 }

@@ -10,6 +10,7 @@ use super::trace::{Path, Tracer};
 use crate::math::color::grey;
 use crate::math::{Rgb, Rgbft};
 use crate::world::hit::Hit;
+use crate::world::light::set::Numbers;
 use crate::world::object::{Leaf, LeafFlags};
 use crate::world::texture::Finish;
 use crate::world::{Intersection, Ray};
@@ -104,7 +105,8 @@ impl<'w> Tracer<'w> {
             let (normal, direction) = (&surface.normal, &path.ray.direction);
             let lit = Surface { finish, color: color.rgb, opacity, normal, direction };
             let at = Target { surface, hit: Some(hit), inside: &path.inside, among: None };
-            for &number in &world.light_sets[leaf.lights as usize] {
+            let mut room = Numbers::new();
+            for &number in self.lamps_near(leaf, surface.point, &mut room) {
                 let incident = world.lights[number as usize].reaching(surface.point);
                 direct += self.plain_light(&at, leaf, &lit, number, &incident);
             }

@@ -7,8 +7,9 @@ use super::shade::At;
 use super::shadow::Target;
 use super::trace::Tracer;
 use crate::math::{DVec3, Rgb};
-use crate::world::Light;
+use crate::world::light::set::Numbers;
 use crate::world::light::{AreaLight, Incident, is_dark};
+use crate::world::{Leaf, Light};
 
 /// A lamp's light at a hit.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +22,7 @@ pub(super) struct Arrival {
     unblocked: Option<Rgb>,
 }
 
-impl Tracer<'_> {
+impl<'w> Tracer<'w> {
     /// The light a layer sends to the eye from all lamps.
     pub(super) fn direct(&mut self, at: &mut At, surface: &Surface) -> Rgb {
         let finish = surface.finish;
@@ -35,8 +36,8 @@ impl Tracer<'_> {
         let mut sum = Rgb::ZERO;
         if at.plain {
             // Nobody else asks for these arrivals.
-            let world = self.world;
-            for &light in &world.light_sets[at.leaf.lights as usize] {
+            let mut room = Numbers::new();
+            for &light in self.lamps_near(at.leaf, at.surface.point, &mut room) {
                 let mut arrival = Arrival { light, incident: self.incident(at, light), unblocked: None };
                 if !self.is_out_of_reach(&arrival) {
                     sum += self.lamp(at, &mut arrival, surface);
@@ -50,6 +51,18 @@ impl Tracer<'_> {
             self.arrivals[index] = arrival;
         }
         sum
+    }
+
+    /// The numbers of the lamps that may light a point of a leaf, which `room` is for.
+    #[inline]
+    pub(super) fn lamps_near<'a>(&mut self, leaf: &Leaf, point: DVec3, room: &'a mut Numbers) -> &'a [u32]
+    where
+        'w: 'a,
+    {
+        let lamps = &self.world.light_sets[leaf.lights as usize];
+        let near = lamps.lighting(point, room);
+        self.statistics.lights_dark += (lamps.all().len() - near.len()) as u64;
+        near
     }
 
     /// What a lamp sends to the hit if nothing is in the way.
@@ -78,8 +91,8 @@ impl Tracer<'_> {
             return known.clone();
         }
         let first = self.arrivals.len();
-        let world = self.world;
-        for &light in &world.light_sets[at.leaf.lights as usize] {
+        let mut room = Numbers::new();
+        for &light in self.lamps_near(at.leaf, at.surface.point, &mut room) {
             let arrival = Arrival { light, incident: self.incident(at, light), unblocked: None };
             if !self.is_out_of_reach(&arrival) {
                 self.arrivals.push(arrival);

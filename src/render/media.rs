@@ -16,8 +16,9 @@ use crate::math::color::grey;
 use crate::math::{Bounds, DVec3, Rgb};
 use crate::world::accel::{Hull, Points};
 use crate::world::atmosphere::Veil;
+use crate::world::light::set::Numbers;
 use crate::world::media::{Method, Sampling};
-use crate::world::{Light, Media, Range, Ray, World};
+use crate::world::{Light, LightSet, Media, Range, Ray, World};
 pub(super) use intervals::{Beam, Between};
 use intervals::{Interval, Shadow, intervals};
 use sample::Sample;
@@ -42,8 +43,8 @@ pub(super) struct Stretch<'a> {
     pub(super) inside: &'a Inside,
     /// At least one.
     pub(super) media: Mix<'a>,
-    /// Numbers of the lamps that may light it.
-    pub(super) lights: &'a [u32],
+    /// The lamps that may light it; `None` where that isn't asked.
+    pub(super) lights: Option<&'a LightSet>,
 }
 
 /// A stretch being walked along.
@@ -147,14 +148,14 @@ impl Tracer<'_> {
         let plain = interior.caustics == 0.0 && interior.fade.is_none() && interior.hollow;
         let even = interior.media.iter().all(|media| media.density.is_uniform());
         let alone = inside.is_only(leaf.interior);
-        let depth = |media: &Media| media.density.uniform * media.extinction;
-        (plain && even && alone).then(|| interior.media.iter().map(depth).sum())
+        (plain && even && alone).then(|| depth_of_a_unit(&interior.media))
     }
 
     /// The lamps that reach a stretch, and where (docs/spec/atmosphere-gi.md 2.5).
     fn look_for_lamps(&self, march: &mut March) {
         let (stretch, geometry) = (march.stretch, &self.world.geometry);
-        for &number in stretch.lights {
+        let mut room = Numbers::new();
+        for &number in stretch.lights.map_or(&[][..], |lights| lights.beside(&stretch.ray, &mut room)) {
             let light = &self.world.lights[number as usize];
             if !light.media_interaction || light.shadowless {
                 continue;
@@ -164,10 +165,12 @@ impl Tracer<'_> {
             let hull = if march.scatters { bundle(stretch, march.rule, light, reach) } else { None };
             let one_place = light.area.is_none() && !light.runs_parallel();
             let simple = one_place && light.projected_through.is_none();
-            let simple = simple && self.quality.shadows && !self.dims(light);
+            let dims = self.dims(light);
+            let air = if dims { self.even_air() } else { None };
+            let simple = simple && self.quality.shadows && (!dims || air.is_some());
             let among = hull.and_then(|hull| geometry.between(&hull)).map(|among| {
                 let first = march.between.len();
-                for screen in among {
+                for &screen in &among {
                     let mut shade = Range::LINE;
                     if one_place {
                         let bounds = geometry.bounds(screen.object);
@@ -186,12 +189,12 @@ impl Tracer<'_> {
                         shade,
                         view: screen.from(light.location),
                         shadow: whole.then(Shadow::default),
-                        shell: if simple { self.shell(screen.object, stretch.inside) } else { None },
+                        shell: if simple && !dims { self.shell(screen.object, stretch.inside) } else { None },
                     });
                 }
                 first..march.between.len()
             });
-            march.beams.push(Beam { light: number, reach, among, simple });
+            march.beams.push(Beam { light: number, reach, among, simple, air });
         }
     }
 }
@@ -255,6 +258,11 @@ impl<'s, 'w> March<'s, 'w> {
             scattered,
         }
     }
+}
+
+/// The optical depth of a unit of media that are the same everywhere.
+pub(super) fn depth_of_a_unit<'m>(media: impl IntoIterator<Item = &'m Media>) -> Rgb {
+    media.into_iter().map(|media| media.density.uniform * media.extinction).sum()
 }
 
 fn veil(added: Rgb, factor: Rgb) -> Veil {

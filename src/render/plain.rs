@@ -10,6 +10,7 @@ use super::textures;
 use super::trace::{Path, Tracer};
 use crate::math::{Rgb, Rgbft};
 use crate::world::hit::Hit;
+use crate::world::light::set::Numbers;
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::{Leaf, LeafFlags};
 use crate::world::texture::{Finish, Layer, Paint};
@@ -42,8 +43,8 @@ impl<const N: usize> Room<N> {
 pub(super) struct Plain<'w> {
     pub(super) finish: &'w Finish,
     pub(super) color: Rgb,
-    /// The lamps that may light it.
-    lamps: &'w [u32],
+    /// Whether it answers light.
+    lit: bool,
 }
 
 impl<'w> Tracer<'w> {
@@ -80,8 +81,7 @@ impl<'w> Tracer<'w> {
         self.statistics.texture_evaluations += 1;
         let scatters = finish.diffuse > 0.0 || finish.diffuse_back > 0.0;
         let lit = scatters || finish.specular > 0.0 || finish.phong > 0.0;
-        let lamps = if lit { &world.light_sets[leaf.lights as usize][..] } else { &[] };
-        Some(Plain { finish, color: color.rgb, lamps })
+        Some(Plain { finish, color: color.rgb, lit })
     }
 
     /// The colours of the surfaces that rays met which are that simple. Those from the `EYE` travel on together where
@@ -95,25 +95,28 @@ impl<'w> Tracer<'w> {
     ) -> [Option<Rgb>; N] {
         let world = self.world;
         let mut met = [const { None }; N];
-        let mut lamps = 0;
-        for lane in 0..N {
+        let mut rooms: [Numbers; N] = std::array::from_fn(|_| Numbers::new());
+        let mut lamps = [&[][..]; N];
+        let mut most = 0;
+        for (lane, room) in rooms.iter_mut().enumerate() {
             let Some(hit) = bundle.hits[lane] else { continue };
             let leaf = world.geometry.parts().leaf(hit.leaf);
             met[lane] = self.simple(leaf, &bundle.rays[lane], hit, &mut surfaces[lane]);
-            lamps = met[lane].as_ref().map_or(lamps, |plain| plain.lamps.len().max(lamps));
+            if met[lane].as_ref().is_some_and(|plain| plain.lit) {
+                lamps[lane] = self.lamps_near(leaf, surfaces[lane].point, room);
+                most = most.max(lamps[lane].len());
+            }
         }
         let mut direct = [Rgb::ZERO; N];
-        for index in 0..lamps {
-            let lamp =
-                |plain: &Option<Plain>| plain.as_ref().and_then(|plain| plain.lamps.get(index).copied());
+        for index in 0..most {
             for lane in 0..N {
-                if let Some(number) = lamp(&met[lane]) {
+                if let Some(&number) = lamps[lane].get(index) {
                     incidents[lane] = world.lights[number as usize].reaching(surfaces[lane].point);
                 }
             }
             for lane in 0..N {
                 let (Some(plain), Some(hit)) = (&met[lane], bundle.hits[lane]) else { continue };
-                let Some(number) = lamp(&met[lane]) else { continue };
+                let Some(&number) = lamps[lane].get(index) else { continue };
                 let leaf = world.geometry.parts().leaf(hit.leaf);
                 let (surface, direction) = (&surfaces[lane], &bundle.rays[lane].direction);
                 let (finish, color) = (plain.finish, plain.color);

@@ -15,7 +15,9 @@ use crate::math::{DVec3, Rgb};
 use crate::world::hit::{Among, Hit};
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::LeafFlags;
+use crate::world::sample::Sample;
 use crate::world::screen::{OPEN, SHUT, UNKNOWN, Verdict};
+use crate::world::texture::Layer;
 use crate::world::umbra::{Shade, Umbra};
 use crate::world::{Intersection, Light, Range, Ray};
 
@@ -255,7 +257,7 @@ impl Tracer<'_> {
         let surface = world.geometry.surface(ray, hit);
         let bumpy = self.quality.reflection;
         let mut filter = Rgb::ZERO;
-        textures::resolve(world, ray, hit, &surface, &mut |weight, layers, sample| {
+        let mut add = |weight, layers: &[Layer], sample: &mut Sample| {
             let mut through = Rgb::ONE;
             for layer in layers {
                 if let Some(color) = layer.paint.color(sample) {
@@ -267,7 +269,11 @@ impl Tracer<'_> {
                 }
             }
             filter += through * weight;
-        });
+        };
+        match textures::layers(world, leaf, &surface) {
+            Some(layers) => add(1.0, layers, &mut textures::sample(world, ray, hit, &surface)),
+            None => textures::resolve(world, ray, hit, &surface, &mut add),
+        }
         filter * fading
     }
 }

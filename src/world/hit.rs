@@ -399,6 +399,14 @@ impl Geometry {
                 through.extend(ends.into_iter().flatten().map(hit));
                 return false;
             }
+            if leaf.limits.is_none() && leaf.primitive.is_flat() {
+                let Some(crossing) = leaf.primitive.nearest(&leaf.asked(ray), range) else { return false };
+                let opaque = leaf.flags.contains(LeafFlags::OPAQUE);
+                if !opaque {
+                    through.push(Hit { t: crossing.t, crossing, leaf: lone, object: number });
+                }
+                return opaque;
+            }
         }
         if object.opaque {
             return self.parts.occludes(object.member, ray, range, RayKind::SHADOW);

@@ -34,7 +34,7 @@ pub use camera::Camera;
 pub use function::Function;
 pub use hit::{Geometry, Hit};
 pub use interior::Interior;
-pub use light::Light;
+pub use light::{Light, LightSet};
 pub use media::Media;
 pub use needs::Needs;
 pub use object::{Leaf, Member, RayKind};
@@ -60,8 +60,8 @@ pub struct World {
     pub interiors: Vec<Arc<Interior>>,
     /// Lights in the order of the text.
     pub lights: Vec<Light>,
-    /// For each light set of a leaf the numbers of its lights.
-    pub light_sets: Vec<Vec<u32>>,
+    /// The light sets, by the numbers that leaves have.
+    pub light_sets: Vec<LightSet>,
     /// The eye.
     pub camera: Camera,
     /// What is around the objects.

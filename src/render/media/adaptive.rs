@@ -106,8 +106,10 @@ pub(super) fn uniform(whole: Sample, samples: u32) -> Sample {
         // Thin and endlessly bright intervals are not dimmed.
         if one == 0.0 || !(all / one).is_finite() { 1.0 } else { (share * all / one) as f32 }
     };
-    let [r, g, b] = whole.depth.to_array().map(damped);
-    Sample { source: whole.source * Rgb::new(r, g, b), ..whole }
+    let [r, g, b] = whole.depth.to_array();
+    let grey = r == g && g == b;
+    let damped = if grey { Rgb::splat(damped(r)) } else { Rgb::new(damped(r), damped(g), damped(b)) };
+    Sample { source: whole.source * damped, ..whole }
 }
 
 #[cfg(test)]

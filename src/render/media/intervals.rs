@@ -20,8 +20,10 @@ pub(in crate::render) struct Beam {
     pub(super) reach: Range,
     /// The objects that may stand between, where they are few: their places in a march's list.
     pub(super) among: Option<Span<usize>>,
-    /// Whether all light comes from one place through clear air.
+    /// Whether all light comes from one place through air that is clear, or the same everywhere.
     pub(super) simple: bool,
+    /// The optical depth of a unit of air, where air takes of its light.
+    pub(super) air: Option<Rgb>,
 }
 
 /// An object that may stand between a stretch and a lamp.
@@ -167,7 +169,7 @@ mod tests {
     }
 
     fn beam(min: f64, max: f64) -> Beam {
-        Beam { light: 0, reach: Range { min, max }, among: None, simple: true }
+        Beam { light: 0, reach: Range { min, max }, among: None, simple: true, air: None }
     }
 
     fn shown(intervals: impl Iterator<Item = Interval>) -> Vec<(f64, f64, bool)> {

@@ -120,7 +120,10 @@ impl Tracer<'_> {
             Rgb::ZERO
         } else if near.is_empty() {
             self.statistics.lights_open += 1;
-            incident.color
+            match beam.air {
+                Some(depth) => incident.color * transmittance(depth * range.max as f32),
+                None => incident.color,
+            }
         } else if let (Some(depth), [object]) = (last, &near[..])
             && let Some(length) = geometry.way_out(*object, &ray, range)
         {

@@ -2,6 +2,7 @@
 
 use smallvec::SmallVec;
 
+use crate::math::wide::widest;
 use crate::math::{Bounds, DVec3, Lanes};
 
 /// Distances by which shapes miss each other less than this, relative to the coordinates, may be
@@ -34,6 +35,14 @@ const GROUPS: usize = 3;
 impl Hull {
     /// The hull of at least three finite points.
     pub fn new(points: Points) -> Self {
+        widest(
+            #[inline(always)]
+            || Self::of(points),
+        )
+    }
+
+    #[inline(always)]
+    fn of(points: Points) -> Self {
         let sides = [points[1] - points[0], points[2] - points[0], points[2] - points[1]];
         let across = sides[0].cross(sides[1]).to_array();
         let nothing = Axes {
@@ -54,8 +63,8 @@ impl Hull {
             bounds = Bounds { min: bounds.min.min(point), max: bounds.max.max(point) };
             for Axes { direction: [x, y, z], reach: [low, high] } in &mut axes {
                 let place = *x * point.x + *y * point.y + *z * point.z;
-                *low = place.zip(*low, |place, low| if place < low { place } else { low });
-                *high = place.zip(*high, |place, high| if place > high { place } else { high });
+                *low = place.lesser(*low);
+                *high = place.greater(*high);
             }
         }
         Self { bounds, axes, points }
@@ -85,6 +94,14 @@ impl Hull {
 
     /// Whether the hull may share a point with the box.
     pub fn meets(&self, bounds: &Bounds) -> bool {
+        widest(
+            #[inline(always)]
+            || self.reaches(bounds),
+        )
+    }
+
+    #[inline(always)]
+    fn reaches(&self, bounds: &Bounds) -> bool {
         let Bounds { min: low, max: high } = self.around();
         if low.cmpgt(bounds.max).any() || high.cmplt(bounds.min).any() {
             return false;
@@ -99,8 +116,7 @@ impl Hull {
         for Axes { direction: [x, y, z], reach: [low, high] } in &self.axes {
             let reach = x.abs() * half.x + y.abs() * half.y + z.abs() * half.z;
             let place = *x * center.x + *y * center.y + *z * center.z;
-            let gap = (*low - place)
-                .zip(place - *high, |before, behind| if before > behind { before } else { behind });
+            let gap = (*low - place).greater(place - *high);
             if (gap - reach).bits(|gap| gap > 0.0) != 0 {
                 return false;
             }

@@ -139,7 +139,7 @@ impl ImageMap {
         let size = self.scale;
         let at = match self.projection {
             Projection::Planar if outside(p.x) || outside(p.y) => return None,
-            Projection::Planar => DVec2::new(p.x * size.x % size.x, p.y * size.y % size.y),
+            Projection::Planar => DVec2::new(rest(p.x * size.x, size.x), rest(p.y * size.y, size.y)),
             Projection::Spherical => {
                 let distance = p.length();
                 if distance == 0.0 {
@@ -154,7 +154,7 @@ impl ImageMap {
                     return None;
                 }
                 let q = p / p.length();
-                DVec2::new(longitude(q.x, q.z) / TAU * size.x, p.y * size.y % size.y)
+                DVec2::new(longitude(q.x, q.z) / TAU * size.x, rest(p.y * size.y, size.y))
             }
             Projection::Torus if p.x == 0.0 && p.z == 0.0 => return None,
             Projection::Torus => {
@@ -271,9 +271,15 @@ where
     ]
 }
 
+/// `a % n`, which most often is `a`: dividing takes long.
+#[inline]
+fn rest(a: f64, n: f64) -> f64 {
+    if a.abs() < n { a } else { a % n }
+}
+
 /// `a` modulo `n`, in 0 … n; never `n` itself.
 fn wrap(a: f64, n: f64) -> f64 {
-    let mut wrapped = a % n;
+    let mut wrapped = rest(a, n);
     if wrapped < 0.0 {
         wrapped += n;
     }

@@ -3,10 +3,12 @@
 pub mod area_light;
 pub mod cylinder;
 pub mod reach;
+pub mod set;
 pub mod spotlight;
 
 pub use area_light::{AreaLight, Plan};
 pub use cylinder::Cylinder;
+pub use set::LightSet;
 pub use spotlight::Spotlight;
 
 use crate::math::{DVec3, Rgb};
@@ -93,10 +95,25 @@ pub fn is_dark(color: Rgb) -> bool {
 }
 
 impl Light {
-    /// The light at `point` from the light's location.
+    /// The light at `point` from the light's location; [nothing](Incident::NOTHING) where a cone clearly misses it.
     #[inline(always)]
     pub fn reaching(&self, point: DVec3) -> Incident {
+        if let Some(spot) = self.cone() {
+            let way = point - self.location;
+            if spot.misses(way.dot(self.axis), way.length_squared()) {
+                return Incident::NOTHING;
+            }
+        }
         self.reaching_from(point, self.location, self.axis)
+    }
+
+    /// The cone outside of which there is no light, where all of it comes from one place.
+    #[inline(always)]
+    fn cone(&self) -> Option<&Spotlight> {
+        match &self.kind {
+            Kind::Spotlight(spot) if self.area.is_none() && !self.parallel => Some(spot),
+            _ => None,
+        }
     }
 
     /// The light at `point` from a place on the area light's grid.

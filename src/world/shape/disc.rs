@@ -41,6 +41,10 @@ impl Shape for Disc {
         rims.contains(&square).then(|| Crossing::new(t, 0))
     }
 
+    fn is_flat(&self) -> bool {
+        true
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         point.z < 0.0
     }

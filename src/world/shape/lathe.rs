@@ -183,12 +183,11 @@ impl Passing {
     fn reaches(&self, hulls: &Hulls) -> u32 {
         /// Many times what the gap is rounded by, as a share.
         const NOISE: f64 = 1e-13;
-        let greater = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a > b { a } else { b });
         let Hulls { low, high } = hulls;
-        let widest = greater(low[0].abs(), high[0].abs());
-        let narrowest = greater(greater(low[0], -high[0]), Lanes::ZERO);
+        let widest = low[0].abs().greater(high[0].abs());
+        let narrowest = low[0].greater(-high[0]).greater(Lanes::ZERO);
         let (below, above) = (-(low[1] - self.height), high[1] - self.height);
-        let (least, most) = (greater(greater(-below, -above), Lanes::ZERO), greater(below, above));
+        let (least, most) = ((-below).greater(-above).greater(Lanes::ZERO), below.greater(above));
         let (up, out) = (self.up * self.up, self.out * self.out);
         let size = most + self.height.abs();
         let wide = widest * widest;

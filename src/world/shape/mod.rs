@@ -121,6 +121,11 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         false
     }
 
+    /// Whether no line crosses it more than once.
+    fn is_flat(&self) -> bool {
+        false
+    }
+
     /// Whether anything is crossed in `range`.
     fn occludes(&self, ray: &Ray, range: Range) -> bool {
         self.nearest(ray, range).is_some()

@@ -115,6 +115,10 @@ impl Shape for Polygon {
         (range.contains(t) && self.covers(ray.at(t))).then(|| Crossing::new(t, 0))
     }
 
+    fn is_flat(&self) -> bool {
+        true
+    }
+
     fn inside(&self, _point: DVec3) -> bool {
         false
     }

@@ -50,7 +50,11 @@ impl Primitive {
     /// Whether it takes no longer to ask it than to look at its box.
     #[inline]
     pub fn is_soon_asked(&self) -> bool {
-        !matches!(self, Self::Mesh(_) | Self::Quadric(_) | Self::Other(_))
+        match self {
+            Self::Mesh(_) | Self::Quadric(_) => false,
+            Self::Other(shape) => shape.is_flat(),
+            _ => true,
+        }
     }
 
     /// Whether textures are looked up at its crossings and its normals are those of the surface.
@@ -192,6 +196,10 @@ impl Shape for Primitive {
     #[inline(always)]
     fn occludes(&self, ray: &Ray, range: Range) -> bool {
         each!(self, shape => shape.occludes(ray, range))
+    }
+
+    fn is_flat(&self) -> bool {
+        each!(self, shape => shape.is_flat())
     }
 
     fn inside(&self, point: DVec3) -> bool {

@@ -119,25 +119,23 @@ impl Rings {
     #[inline(always)]
     fn met_by(&self, passing: &Passing) -> ([Lanes; 2], u32) {
         let (o, d) = (passing.ray.origin, passing.ray.direction);
-        let less = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a < b { a } else { b });
-        let more = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a > b { a } else { b });
         let (low, high) = ((self.low - o.y) / d.y, (self.high - o.y) / d.y);
         let [from, to] = passing.within;
-        let enter = more(less(low, high), Lanes::splat(from));
-        let leave = less(more(low, high), Lanes::splat(to));
+        let enter = low.lesser(high).greater(Lanes::splat(from));
+        let leave = low.greater(high).lesser(Lanes::splat(to));
         let beside = |t: Lanes| {
             let (x, z) = (t * d.x + o.x, t * d.z + o.z);
             x * x + z * z
         };
         let (one, other) = (beside(enter), beside(leave));
         // Where a ray is nearest to the axis tells more than its ends.
-        let between = less(-(enter - passing.nearest), leave - passing.nearest);
-        let least = Lanes::splat(passing.least).where_positive(between, less(one, other));
+        let between = (-(enter - passing.nearest)).lesser(leave - passing.nearest);
+        let least = Lanes::splat(passing.least).where_positive(between, one.lesser(other));
         let met = (leave - enter).bits(|length| length > 0.0)
             & leave.bits(|end| end >= passing.wanted[0])
             & enter.bits(|start| start <= passing.wanted[1])
             & (self.wide - least).bits(|room| room >= 0.0)
-            & (more(one, other) - self.narrow).bits(|room| room >= 0.0);
+            & (one.greater(other) - self.narrow).bits(|room| room >= 0.0);
         ([enter, leave], met)
     }
 }

@@ -250,6 +250,10 @@ impl Shape for Triangle {
         range.contains(hit.t).then_some(Crossing { t: hit.t, part: 0, at: hit.at })
     }
 
+    fn is_flat(&self) -> bool {
+        true
+    }
+
     fn inside(&self, _point: DVec3) -> bool {
         false
     }
