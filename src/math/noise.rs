@@ -166,14 +166,17 @@ impl Octaves {
 
     /// Vector turbulence at `p`.
     pub fn vector(&self, p: DVec3) -> DVec3 {
-        let mut vectors = [DVec3::ZERO; MOST_OCTAVES];
-        let vectors = &mut vectors[..self.count()];
-        vector_octaves(p, &self.frequencies()[..vectors.len()], vectors);
-        let mut sum = vectors[0];
-        let mut strength = 1.0;
-        for v in &vectors[1..] {
+        tally::vector_noise(self.count());
+        #[cfg(target_arch = "x86_64")]
+        if let Some(lattice) = avx2::Lattice::get() {
+            return lattice.turbulence(p, self);
+        }
+        let mut sum = lattice::vector(p);
+        let (mut strength, mut frequency) = (1.0, 1.0);
+        for _ in 1..self.count() {
             strength *= self.omega;
-            sum += strength * *v;
+            frequency *= self.lambda;
+            sum += strength * lattice::vector(frequency * p);
         }
         sum
     }

@@ -171,16 +171,29 @@ impl Tracer<'_> {
                 return incident.color;
             }
         }
+        self.coming_through(at.among, at.inside, light, incident.color, (&ray, range))
+    }
+
+    /// Light of a `color` after what is in its way to a point, where nothing but `among` may be if that is known.
+    #[inline]
+    pub(super) fn coming_through(
+        &mut self,
+        among: Option<Among>,
+        inside: &Inside,
+        light: &Light,
+        color: Rgb,
+        (ray, range): (&Ray, Range),
+    ) -> Rgb {
         let geometry = &self.world.geometry;
         let mut occluders = std::mem::take(&mut self.occluders);
-        self.blocker = match at.among {
-            Some(among) => geometry.occluders_among(among, &ray, range, &mut occluders),
-            None => geometry.occluders(&ray, range, self.blocker, &mut occluders),
+        self.blocker = match among {
+            Some(among) => geometry.occluders_among(among, ray, range, &mut occluders),
+            None => geometry.occluders(ray, range, self.blocker, &mut occluders),
         };
         let color = if self.blocker.is_some() {
             Rgb::ZERO
         } else {
-            self.filtered(at, light, incident.color, &ray, range.max, &occluders)
+            self.filtered(inside, light, color, ray, range.max, &occluders)
         };
         self.occluders = occluders;
         color
@@ -189,7 +202,7 @@ impl Tracer<'_> {
     /// Light after the transparent surfaces in its way and the air between them.
     fn filtered(
         &mut self,
-        at: &Target,
+        inside: &Inside,
         light: &Light,
         mut color: Rgb,
         ray: &Ray,
@@ -200,7 +213,7 @@ impl Tracer<'_> {
         if occluders.is_empty() && !airy {
             return color;
         }
-        let mut inside = at.inside.clone();
+        let mut inside = inside.clone();
         let mut start = 0.0;
         for hit in occluders {
             let piece = Ray::new(ray.at(start), ray.direction);

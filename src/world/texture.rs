@@ -183,17 +183,6 @@ impl Texture {
         self.is_clear() && self.layers().is_some_and(|layers| layers.iter().all(Layer::is_dull))
     }
 
-    /// The share of light that passes at the sample: the product over layers, blended where textures
-    /// blend (docs/spec/patterns-textures.md 7.3).
-    pub fn shadow_filter(&self, sample: &Sample) -> Rgb {
-        let mut sum = Rgb::ZERO;
-        self.resolve(&mut { *sample }, &mut |weight, layers, sample| {
-            let colors = layers.iter().filter_map(|layer| layer.paint.color(sample));
-            sum += weight * colors.fold(Rgb::ONE, |passed, color| passed * color.through());
-        });
-        sum
-    }
-
     /// The only layers, where the texture has no pattern: the same at every sample.
     #[inline]
     pub fn layers(&self) -> Option<&[Layer]> {

@@ -7,8 +7,8 @@ use std::sync::LazyLock;
 
 use glam::DVec3;
 
-use super::EPSILON;
 use super::tables::{GRADIENT, HASH, HASH_SIZE, SHIFT};
+use super::{EPSILON, Octaves};
 
 /// The fixed tables in the order in which they are read here. There is one only where there is AVX2.
 pub(super) struct Lattice {
@@ -74,6 +74,12 @@ impl Lattice {
     pub(super) fn vectors(&self, p: DVec3, scales: &[f64], vectors: &mut [DVec3]) {
         // SAFETY: a `Lattice` exists only where there is AVX2.
         unsafe { self.all_vectors(p.x, p.y, p.z, scales, vectors) }
+    }
+
+    /// The sum of octaves of vector noise at `p`.
+    pub(super) fn turbulence(&self, p: DVec3, octaves: &Octaves) -> DVec3 {
+        // SAFETY: a `Lattice` exists only where there is AVX2.
+        unsafe { self.octaves(p.x, p.y, p.z, octaves) }
     }
 
     #[target_feature(enable = "avx2")]
@@ -211,6 +217,21 @@ impl Lattice {
             let [x, y, z, _] = each(self.vector(_mm256_mul_pd(p, _mm256_set1_pd(*scale))));
             *vector = DVec3::new(x, y, z);
         }
+    }
+
+    #[target_feature(enable = "avx2")]
+    fn octaves(&self, x: f64, y: f64, z: f64, octaves: &Octaves) -> DVec3 {
+        let p = lanes(x, y, z);
+        let mut sum = self.vector(p);
+        let (mut strength, mut frequency) = (1.0, 1.0);
+        for _ in 1..octaves.count() {
+            strength *= octaves.omega;
+            frequency *= octaves.lambda;
+            let next = self.vector(_mm256_mul_pd(p, _mm256_set1_pd(frequency)));
+            sum = _mm256_add_pd(sum, _mm256_mul_pd(_mm256_set1_pd(strength), next));
+        }
+        let [x, y, z, _] = each(sum);
+        DVec3::new(x, y, z)
     }
 
     /// Vector noise: lanes are components.
@@ -391,6 +412,10 @@ mod tests {
             for (found, expected) in found.into_iter().zip(expected) {
                 assert_eq!(bits(&found.to_array()), bits(&expected.to_array()), "vectors at {p}");
             }
+            let found = lanes.turbulence(p, &Octaves { count: 3, omega: 0.7, lambda: 2.1 });
+            let [second, third] = [2.1, 2.1 * 2.1].map(|scale| lattice::vector(scale * p));
+            let expected = lattice::vector(p) + 0.7 * second + 0.7 * 0.7 * third;
+            assert_eq!(bits(&found.to_array()), bits(&expected.to_array()), "octaves at {p}");
         }
     }
 }

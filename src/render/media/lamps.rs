@@ -130,7 +130,9 @@ impl Tracer<'_> {
             self.statistics.shadow_rays += 1;
             incident.color * transmittance(depth * length as f32)
         } else {
-            self.in_space(march, point, beam, incident, Some(Among::Near(&near)))
+            self.statistics.shadow_rays += 1;
+            let among = Some(Among::Near(&near));
+            self.coming_through(among, march.stretch.inside, light, incident.color, (&ray, range))
         };
         self.near = near;
         color
