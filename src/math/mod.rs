@@ -12,6 +12,7 @@ pub mod hyperbolic;
 pub mod lanes;
 pub mod noise;
 pub mod pages;
+mod power;
 pub mod roots;
 pub mod slant;
 pub mod spline;

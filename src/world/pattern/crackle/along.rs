@@ -252,8 +252,7 @@ impl Near {
             let sum = if metric == Metric::Square {
                 dx * dx + dy * dy + dz * dz
             } else {
-                let part = |d: Lanes| d.map(|d| metric.part(d));
-                part(dx) + part(dy) + part(dz)
+                metric.part_of_four(dx) + metric.part_of_four(dy) + metric.part_of_four(dz)
             };
             let mut next = sum.map(|sum| f64::from_bits(sum.to_bits() & !PLACE | place as u64));
             for known in &mut least {
