@@ -154,7 +154,7 @@ impl Tracer<'_> {
     /// The lamps that reach a stretch, and where (docs/spec/atmosphere-gi.md 2.5).
     fn look_for_lamps(&self, march: &mut March) {
         let (stretch, geometry) = (march.stretch, &self.world.geometry);
-        let mut room = Numbers::new();
+        let (even_air, mut room) = (self.even_air(), Numbers::new());
         for &number in stretch.lights.map_or(&[][..], |lights| lights.beside(&stretch.ray, &mut room)) {
             let light = &self.world.lights[number as usize];
             if !light.media_interaction || light.shadowless {
@@ -166,7 +166,7 @@ impl Tracer<'_> {
             let one_place = light.area.is_none() && !light.runs_parallel();
             let simple = one_place && light.projected_through.is_none();
             let dims = self.dims(light);
-            let air = if dims { self.even_air() } else { None };
+            let air = even_air.filter(|_| dims);
             let simple = simple && self.quality.shadows && (!dims || air.is_some());
             let among = hull.and_then(|hull| geometry.between(&hull)).map(|among| {
                 let first = march.between.len();

@@ -158,7 +158,7 @@ mod tests {
             let kind = match turn % 7 {
                 0 => Kind::Point,
                 1 => Kind::Cylinder(Cylinder { radius: 1.0, falloff: 1.0, tightness: 0.0 }),
-                _ => Kind::Spotlight(Spotlight::new(angle, angle * 0.8, 1.0)),
+                _ => Kind::Spotlight(Spotlight::new(angle, angle * [0.8, 1.3][turn % 2], 1.0)),
             };
             let axis = point().normalize_or(DVec3::X);
             let light = super::super::tests::light(kind);
@@ -169,7 +169,10 @@ mod tests {
         for _ in 0..2000 {
             let place = 5.0 * point();
             let near = set.lighting(place, &mut room).to_vec();
-            let lit = |number: &u32| !lights[*number as usize].reaching(place).is_dark();
+            let lit = |number: &u32| {
+                let light = &lights[*number as usize];
+                !light.reaching_from(place, light.location, light.axis).is_dark()
+            };
             let ray = Ray::new(place, point().normalize_or(DVec3::X));
             let beside = set.beside(&ray, &mut room).to_vec();
             let reached = |number: &u32| lights[*number as usize].reach(&ray, 100.0).is_some();

@@ -63,6 +63,18 @@ impl Metric {
         }
     }
 
+    /// Larger ones would lead out of the range of [`Lanes::power`].
+    const LARGEST_OF_FOUR: f64 = 32.0;
+
+    /// The power that [`Lanes::power`] takes four numbers to.
+    #[inline(always)]
+    fn power_of_four(self) -> Option<f64> {
+        match self {
+            Self::Power(m) if m > 0.0 && m <= Self::LARGEST_OF_FOUR => Some(m),
+            _ => None,
+        }
+    }
+
     /// The power.
     fn exponent(self) -> f64 {
         match self {
@@ -86,9 +98,9 @@ impl Metric {
     /// The same of four differences.
     #[inline(always)]
     fn part_of_four(self, d: Lanes) -> Lanes {
-        match self {
-            Self::Power(m) if m > 0.0 => d.abs().power(m),
-            _ => d.map(|d| self.part(d)),
+        match self.power_of_four() {
+            Some(m) => d.abs().power(m),
+            None => d.map(|d| self.part(d)),
         }
     }
 
@@ -282,18 +294,21 @@ impl Seeds {
                 self.sums_of(p, |d| power_of_halves(d.abs(), halves & !1))
             }
             Metric::Halves(halves) => self.sums_of(p, |d| power_of_halves(d.abs(), halves)),
-            Metric::Power(_) => self.sums_of_powers(p, metric),
+            Metric::Power(m) => match metric.power_of_four() {
+                Some(m) => self.sums_of_powers(p, m),
+                None => self.sums_of(p, |d| d.abs().powf(m)),
+            },
         }
     }
 
     /// The same of powers, which four places are taken to at once.
     #[inline(always)]
-    fn sums_of_powers(&self, p: DVec3, metric: Metric) -> [f64; PLACES] {
+    fn sums_of_powers(&self, p: DVec3, m: f64) -> [f64; PLACES] {
         let mut sums = [f64::INFINITY; PLACES];
         for place in (0..PLACES).step_by(Lanes::COUNT) {
             let [i, j, k, l] = [place, place + 1, place + 2, place + 3];
             let part = |c: f64, seeds: &[f64; PLACES]| {
-                metric.part_of_four(-Lanes([seeds[i], seeds[j], seeds[k], seeds[l]]) + c)
+                (-Lanes([seeds[i], seeds[j], seeds[k], seeds[l]]) + c).abs().power(m)
             };
             let Lanes(sum) = part(p.x, &self.x) + part(p.y, &self.y) + part(p.z, &self.z);
             for lane in 0..Lanes::COUNT {
@@ -484,5 +499,25 @@ impl Facets {
             }
         }
         best.1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_of_all_metrics_are_those_of_each_seed() {
+        let seeds = Seeds::of([3, -2, 5]);
+        let p = DVec3::new(3.3, -1.6, 5.9);
+        for metric in [1.0, 2.0, 2.5, 3.0, 0.3, 2.2, 9.0, 31.7, 33.3, 300.0, 1000.0, -1.0, -2.2] {
+            let metric = Metric::new(metric);
+            let sums = seeds.sums(p, metric);
+            for place in 0..ADJACENT {
+                let right = metric.sum(p - seeds.at(place));
+                assert!((sums[place] - right).abs() <= 1e-13 * right, "{metric:?} {place}: {}", sums[place]);
+            }
+            assert!(sums[ADJACENT..].iter().all(|sum| *sum == f64::INFINITY), "{metric:?}");
+        }
     }
 }

@@ -50,11 +50,7 @@ impl Primitive {
     /// Whether it takes no longer to ask it than to look at its box.
     #[inline]
     pub fn is_soon_asked(&self) -> bool {
-        match self {
-            Self::Mesh(_) | Self::Quadric(_) => false,
-            Self::Other(shape) => shape.is_flat(),
-            _ => true,
-        }
+        !matches!(self, Self::Mesh(_) | Self::Quadric(_) | Self::Other(_))
     }
 
     /// Whether textures are looked up at its crossings and its normals are those of the surface.
