@@ -1,0 +1,16 @@
+use super::*;
+
+#[test]
+fn sums_of_all_metrics_are_those_of_each_seed() {
+    let seeds = Seeds::of([3, -2, 5]);
+    let p = DVec3::new(3.3, -1.6, 5.9);
+    for metric in [1.0, 2.0, 2.5, 3.0, 0.3, 2.2, 9.0, 31.7, 33.3, 300.0, 1000.0, -1.0, -2.2] {
+        let metric = Metric::new(metric);
+        let sums = seeds.sums(p, metric);
+        for place in 0..ADJACENT {
+            let right = metric.sum(p - seeds.at(place));
+            assert!((sums[place] - right).abs() <= 1e-13 * right, "{metric:?} {place}: {}", sums[place]);
+        }
+        assert!(sums[ADJACENT..].iter().all(|sum| *sum == f64::INFINITY), "{metric:?}");
+    }
+}
