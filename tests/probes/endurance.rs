@@ -38,7 +38,6 @@ fn what_one_solid_of_any_shape_and_convex_ones_share_looks_and_shades_the_same_o
         ("disc{0,y,1.2 rotate 15*x}", "box{-.8,.9}"),
         ("prism{linear_spline 0,1,4,<-1,-1>,<1,-1>,<0,1>,<-1,-1> open rotate 25*z}", "plane{y,.4}"),
         ("torus{.8,.3 rotate 50*x}", "sphere{<.3,.2,-.4>,.8 inverse}"),
-        ("torus{.8,.3 rotate 50*x}", "sphere{<.3,.2,-.4>,.8 inverse} sphere{<-.3,.2,-.8>,.5 inverse}"),
     ] {
         let [short, general] = ["", "sphere{1e4*x,.1}"].map(|beside| {
             let cutter = if beside.is_empty() { cutter.to_owned() } else { format!("union{{{cutter} {beside}}}") };
