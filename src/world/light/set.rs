@@ -107,7 +107,7 @@ impl Cones {
         widest(
             #[inline(always)]
             || {
-                let way = self.from_tips(point);
+                let way = self.ways_to(point);
                 let along = Lanes::dot(&way, &self.axis);
                 let outside = self.dark * Lanes::dot(&way, &way) - along * along;
                 let cone = self.dark.bits(|dark| dark > 0.0);
@@ -122,7 +122,7 @@ impl Cones {
             #[inline(always)]
             || {
                 let direction = ray.direction.to_array().map(Lanes::splat);
-                let from = self.from_tips(ray.origin);
+                let from = self.ways_to(ray.origin);
                 let middle = -Lanes::dot(&from, &direction);
                 let [x, y, z] = direction;
                 let near = [from[0] + middle * x, from[1] + middle * y, from[2] + middle * z];
@@ -136,7 +136,7 @@ impl Cones {
     }
 
     #[inline(always)]
-    fn from_tips(&self, point: DVec3) -> [Lanes; 3] {
+    fn ways_to(&self, point: DVec3) -> [Lanes; 3] {
         let [x, y, z] = &self.tip;
         [Lanes::splat(point.x) - *x, Lanes::splat(point.y) - *y, Lanes::splat(point.z) - *z]
     }

@@ -196,9 +196,7 @@ impl Seeds {
                 (-Lanes([seeds[i], seeds[j], seeds[k], seeds[l]]) + c).abs().power(m)
             };
             let Lanes(sum) = part(p.x, &self.x) + part(p.y, &self.y) + part(p.z, &self.z);
-            for lane in 0..Lanes::COUNT {
-                sums[place + lane] = sum[lane];
-            }
+            sums[place..place + Lanes::COUNT].copy_from_slice(&sum);
         }
         sums
     }

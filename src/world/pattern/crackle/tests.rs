@@ -7,9 +7,9 @@ fn sums_of_all_metrics_are_those_of_each_seed() {
     for metric in [1.0, 2.0, 2.5, 3.0, 0.3, 2.2, 9.0, 31.7, 33.3, 300.0, 1000.0, -1.0, -2.2] {
         let metric = Metric::new(metric);
         let sums = seeds.sums(p, metric);
-        for place in 0..ADJACENT {
+        for (place, sum) in sums[..ADJACENT].iter().enumerate() {
             let right = metric.sum(p - seeds.at(place));
-            assert!((sums[place] - right).abs() <= 1e-13 * right, "{metric:?} {place}: {}", sums[place]);
+            assert!((sum - right).abs() <= 1e-13 * right, "{metric:?} {place}: {sum}");
         }
         assert!(sums[ADJACENT..].iter().all(|sum| *sum == f64::INFINITY), "{metric:?}");
     }
