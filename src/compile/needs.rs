@@ -28,14 +28,13 @@ impl Used {
         Self { numbers }
     }
 
-    /// How many are in use.
-    pub(super) fn count(&self) -> usize {
-        self.numbers.iter().filter(|&&number| number != Numbered::NONE).count()
-    }
-
-    /// Those of the whole list that are in use.
-    pub(super) fn only<T>(&self, all: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
-        all.into_iter().zip(&self.numbers).filter_map(|(item, number)| number.get().map(|_| item))
+    /// What is made of those of the whole list that are in use, in no more room than that takes.
+    pub(super) fn made_into<T, U>(&self, all: Vec<T>, mut make: impl FnMut(T) -> Option<U>) -> Vec<U> {
+        let is_used = |number: &&Numbered| **number != Numbered::NONE;
+        let mut made = Vec::with_capacity(self.numbers.iter().filter(is_used).count());
+        let used = all.into_iter().zip(&self.numbers).filter(|(_, number)| is_used(number));
+        made.extend(used.filter_map(|(item, _)| make(item)));
+        made
     }
 
     /// The new number of one in use.

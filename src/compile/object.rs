@@ -210,7 +210,7 @@ impl Flattener<'_> {
         };
         let bound = self.flat.parts.leaf(bound);
         let Primitive::Box(cuboid) = bound.primitive else { return None };
-        if bound.limits().is_some() || bound.flags.contains(LeafFlags::INVERTED) {
+        if bound.is_limited() || bound.flags.contains(LeafFlags::INVERTED) {
             return None;
         }
         let (place, own) = (bound.transform.as_deref(), leaf.transform.as_deref());

@@ -95,14 +95,14 @@ fn surfaces(flat: &mut Flat, textures: &mut TextureCompiler, lacking: &mut Vec<U
     let identity = Transform::IDENTITY;
     let compile = |wanted: TextureUse| {
         let outer = wanted.outer.as_deref().unwrap_or(&identity);
-        textures.texture(&wanted.texture, outer).or_else(|unsupported| {
+        let compiled = textures.texture(&wanted.texture, outer).or_else(|unsupported| {
             lacking.push(unsupported);
             textures.texture(&scene::Texture::default(), outer)
-        })
+        });
+        // The default texture has nothing that could be unsupported.
+        compiled.ok()
     };
-    let mut compiled = Vec::with_capacity(used.count());
-    // The default texture has nothing that could be unsupported.
-    compiled.extend(used.only(std::mem::take(&mut flat.textures)).map(compile).filter_map(Result::ok));
+    let compiled = used.made_into(std::mem::take(&mut flat.textures), compile);
     for leaf in &mut flat.parts.leaves {
         leaf.texture = leaf.texture.get().map(|number| used.renumbered(number)).into();
         if leaf.flags.contains(LeafFlags::SEVERAL) {
@@ -125,7 +125,7 @@ fn interiors(
     // What is filled with air alone is alike, solid or hollow.
     let mut airs = [None, None];
     let air = Filling { interior: None, outer: None, legacy: None };
-    let compile = |InteriorUse { filling, hollow }| {
+    let mut compile = |InteriorUse { filling, hollow }| {
         let filling = filling.get().map(|number| &flat.fillings[number as usize]);
         let Filling { interior, outer, legacy } = filling.unwrap_or(&air);
         let outer = outer.as_deref().unwrap_or(&Transform::IDENTITY);
@@ -144,8 +144,7 @@ fn interiors(
             _ => compile(),
         }
     };
-    let mut compiled = Vec::with_capacity(used.count());
-    compiled.extend(used.only(std::mem::take(&mut flat.interiors)).map(compile));
+    let compiled = used.made_into(std::mem::take(&mut flat.interiors), |interior| Some(compile(interior)));
     for leaf in &mut flat.parts.leaves {
         leaf.interior = used.renumbered(leaf.interior);
     }

@@ -399,7 +399,7 @@ impl Geometry {
                 through.extend(ends.into_iter().flatten().map(hit));
                 return false;
             }
-            if leaf.limits().is_none() && leaf.primitive.is_flat() {
+            if !leaf.is_limited() && leaf.primitive.is_flat() {
                 let Some(crossing) = leaf.primitive.nearest(&leaf.asked(ray), range) else { return false };
                 let opaque = leaf.flags.contains(LeafFlags::OPAQUE);
                 if !opaque {

@@ -61,6 +61,14 @@ impl Paint {
             Self::Pigment(pigment) => Arc::clone(pigment),
         }
     }
+
+    /// Changes it as a pigment.
+    pub fn change<R>(&mut self, change: impl FnOnce(&mut Arc<Pigment>) -> R) -> R {
+        let mut pigment = self.pigment();
+        let changed = change(&mut pigment);
+        *self = pigment.into();
+        changed
+    }
 }
 
 impl From<Arc<Pigment>> for Paint {

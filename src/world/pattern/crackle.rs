@@ -179,10 +179,8 @@ impl Seeds {
                 self.sums_of(p, |d| power_of_halves(d.abs(), halves & !1))
             }
             Metric::Halves(halves) => self.sums_of(p, |d| power_of_halves(d.abs(), halves)),
-            Metric::Power(m) => match metric.power_of_four() {
-                Some(m) => self.sums_of_powers(p, m),
-                None => self.sums_of(p, |d| d.abs().powf(m)),
-            },
+            Metric::Power(m) if metric.power_of_four().is_some() => self.sums_of_powers(p, m),
+            Metric::Power(m) => self.sums_of(p, |d| d.abs().powf(m)),
         }
     }
 
@@ -243,9 +241,7 @@ fn least<const COUNT: usize>(sums: &[f64; PLACES]) -> [f64; COUNT] {
 #[inline(always)]
 fn insert<const COUNT: usize>(least: &mut [Lanes; COUNT], mut next: Lanes) {
     for known in least {
-        let lesser = next.zip(*known, |next, known| if next < known { next } else { known });
-        next = known.zip(next, |known, next| if known > next { known } else { next });
-        *known = lesser;
+        (*known, next) = (next.lesser(*known), known.greater(next));
     }
 }
 

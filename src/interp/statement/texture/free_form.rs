@@ -7,8 +7,7 @@ use super::super::pattern::{self, Owner};
 use super::super::{finish, normal, pigment};
 use super::layers;
 use crate::interp::{Result, Vm, Word};
-use crate::scene::texture::Layer;
-use crate::scene::{Pigment, Texture};
+use crate::scene::Texture;
 
 /// The version with which `pigment`, `normal` and `finish` came.
 const FIRST_WITH_BLOCKS: i32 = 300;
@@ -47,19 +46,11 @@ pub(super) fn item(vm: &mut Vm<'_>, texture: &mut Texture) -> Result<bool> {
         Some(Word::BumpSize | Word::SlopeMap | Word::NormalMap) => normal::modifier(vm, &mut top.normal),
         // What begins the next statement of an object is no item.
         Some(word) if pattern::is_modifier(word) || is_pigment(word) => {
-            painted(top, |pigment| pigment::modifier(vm, pigment, Owner::Pigment, true))
+            top.paint.change(|pigment| pigment::modifier(vm, pigment, Owner::Pigment, true))
         }
         _ => Ok(finish::free_item(vm, &mut top.finish)?
-            || painted(top, |pigment| pigment::start(vm, pigment, Owner::Pigment))?),
+            || top.paint.change(|pigment| pigment::start(vm, pigment, Owner::Pigment))?),
     }
-}
-
-/// Changes the pigment of a layer.
-fn painted(layer: &mut Layer, change: impl FnOnce(&mut Arc<Pigment>) -> Result<bool>) -> Result<bool> {
-    let mut pigment = layer.paint.pigment();
-    let changed = change(&mut pigment)?;
-    layer.paint = pigment.into();
-    Ok(changed)
 }
 
 fn is_pigment(word: Word) -> bool {

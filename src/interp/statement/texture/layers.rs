@@ -34,9 +34,7 @@ pub(in crate::interp::statement) fn layer(
             layers.extend(added.iter().map(|layer| {
                 let mut layer = layer.clone();
                 if old {
-                    let mut pigment = layer.paint.pigment();
-                    Arc::make_mut(&mut pigment).filter_to_transmit();
-                    layer.paint = pigment.into();
+                    layer.paint.change(|pigment| Arc::make_mut(pigment).filter_to_transmit());
                 }
                 layer
             }));

@@ -245,7 +245,6 @@ impl Near {
     /// bits: these are less than what [`ROUNDING`] leaves room for.
     #[inline(always)]
     fn of_four(seeds: &Seeds, [x, y, z]: [Lanes; 3], metric: Metric) -> [Lanes; Self::COUNT] {
-        let larger = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a < b { b } else { a });
         let mut least = [Lanes::splat(f64::INFINITY); Self::COUNT];
         for place in 0..ADJACENT {
             let (dx, dy, dz) = (x - seeds.x[place], y - seeds.y[place], z - seeds.z[place]);
@@ -256,7 +255,7 @@ impl Near {
             };
             let mut next = sum.map(|sum| f64::from_bits(sum.to_bits() & !PLACE | place as u64));
             for known in &mut least {
-                (*known, next) = (known.lesser(next), larger(*known, next));
+                (*known, next) = (known.lesser(next), next.greater(*known));
             }
         }
         least
