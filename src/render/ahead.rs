@@ -8,11 +8,11 @@ use super::reflections::Reflections;
 use super::sampling::Sample;
 use super::trace::{Path, Tracer};
 use crate::math::wide::widest;
-use crate::math::{Bounds, DVec2, Lanes};
+use crate::math::{DVec2, Lanes};
 use crate::world::accel::{Pencil, Within};
-use crate::world::camera::{Perspective, film, film_of_four};
+use crate::world::camera::{Straight, film, film_of_four};
 use crate::world::hit::Hit;
-use crate::world::{Ray, RayKind, Rays};
+use crate::world::{RayKind, Rays};
 
 /// So many pixels are looked at together.
 const FOUR: i32 = Lanes::COUNT as i32;
@@ -52,7 +52,7 @@ impl Eye<'_> {
     pub(super) fn looked_ahead(
         &self,
         tracer: &mut Tracer,
-        perspective: &Perspective,
+        straight: Straight,
         x: f64,
         y: f64,
     ) -> Option<Sample> {
@@ -62,7 +62,7 @@ impl Eye<'_> {
         }
         let lane = column & (FOUR - 1);
         let first = [column - lane, row];
-        if tracer.ahead.first != Some(first) && (lane != 0 || !self.look_ahead(tracer, perspective, first)) {
+        if tracer.ahead.first != Some(first) && (lane != 0 || !self.look_ahead(tracer, straight, first)) {
             return None;
         }
         Some(tracer.ahead.samples[lane as usize])
@@ -70,11 +70,11 @@ impl Eye<'_> {
 
     /// What is seen at four image coordinates near each other.
     pub(super) fn four(&self, tracer: &mut Tracer, places: &[DVec2; Lanes::COUNT]) -> [Sample; Lanes::COUNT] {
-        if let Some(perspective) = self.perspective
-            && let Some(tile) = self.tile_around(tracer, perspective, places)
+        if let Some(straight) = self.straight
+            && let Some(tile) = self.tile_around(tracer, straight, places)
         {
             tracer.statistics.samples += Lanes::COUNT as u64;
-            return self.look(tracer, perspective, tile, &places.map(Into::into));
+            return self.look(tracer, straight, tile, &places.map(Into::into));
         }
         places.map(|place| self.sample(tracer, place.x, place.y))
     }
@@ -83,7 +83,7 @@ impl Eye<'_> {
     fn tile_around(
         &self,
         tracer: &mut Tracer,
-        perspective: &Perspective,
+        straight: Straight,
         places: &[DVec2; Lanes::COUNT],
     ) -> Option<usize> {
         let pixel = (places[0] + 0.5).floor();
@@ -94,16 +94,16 @@ impl Eye<'_> {
             let (x, y) = (place.x - left, place.y - top);
             -EDGE <= x && x <= span && -EDGE <= y && y <= span
         };
-        if places.iter().all(within) { self.tile(tracer, perspective, corner) } else { None }
+        if places.iter().all(within) { self.tile(tracer, straight, corner) } else { None }
     }
 
     /// The tile with an upper left pixel, where it is known what its rays may meet.
-    fn tile(&self, tracer: &mut Tracer, perspective: &Perspective, place: [i32; 2]) -> Option<usize> {
+    fn tile(&self, tracer: &mut Tracer, straight: Straight, place: [i32; 2]) -> Option<usize> {
         let number = (place[0] / TILE) as usize % TILES;
         let tile = &mut tracer.ahead.tiles[number];
         if tile.place != Some(place) {
             tile.place = Some(place);
-            let pencil = self.pencil_of(perspective, place.map(f64::from));
+            let pencil = self.pencil_of(straight, place.map(f64::from));
             let geometry = &self.world.geometry;
             tile.known = pencil.is_some_and(|pencil| geometry.within(&pencil, &mut tile.within));
             tile.reflections.restart(pencil.filter(|_| tile.known));
@@ -112,18 +112,18 @@ impl Eye<'_> {
     }
 
     /// Looks at four pixels from one on; whether that is worth while.
-    fn look_ahead(&self, tracer: &mut Tracer, perspective: &Perspective, first: [i32; 2]) -> bool {
+    fn look_ahead(&self, tracer: &mut Tracer, straight: Straight, first: [i32; 2]) -> bool {
         let [column, row] = first;
         if i64::from(column) + i64::from(FOUR) > i64::from(self.options.region.columns.end) {
             return false;
         }
         let corner = first.map(|along| along & !(TILE - 1));
-        let Some(tile) = self.tile(tracer, perspective, corner) else { return false };
+        let Some(tile) = self.tile(tracer, straight, corner) else { return false };
         let mut places = [(f64::from(column), f64::from(row)); Lanes::COUNT];
         for (lane, place) in places.iter_mut().enumerate() {
             place.0 += lane as f64;
         }
-        let samples = self.look(tracer, perspective, tile, &places);
+        let samples = self.look(tracer, straight, tile, &places);
         (tracer.ahead.first, tracer.ahead.samples) = (Some(first), samples);
         true
     }
@@ -132,11 +132,11 @@ impl Eye<'_> {
     fn look(
         &self,
         tracer: &mut Tracer,
-        perspective: &Perspective,
+        straight: Straight,
         tile: usize,
         places: &[(f64, f64); Lanes::COUNT],
     ) -> [Sample; Lanes::COUNT] {
-        let rays = self.rays_of_four(perspective, places);
+        let rays = self.rays_of_four(straight, places);
         let (mut hits, kind) = ([None; Lanes::COUNT], RayKind::IMAGE);
         let within = &tracer.ahead.tiles[tile].within;
         self.world.geometry.hits(within, &rays, Lanes::COUNT, kind, 0.0, &mut hits);
@@ -163,34 +163,22 @@ impl Eye<'_> {
 
     /// All rays through the pixels of a tile.
     #[cold]
-    fn pencil_of(&self, perspective: &Perspective, [left, top]: [f64; 2]) -> Option<Pencil> {
-        let corner = |x: f64, y: f64| {
-            let Ray { origin, direction } =
-                perspective.project(film(left + x, top + y, self.options.width, self.options.height)).ray;
-            origin + direction
-        };
+    fn pencil_of(&self, straight: Straight, [left, top]: [f64; 2]) -> Option<Pencil> {
+        let corner = |x: f64, y: f64| film(left + x, top + y, self.options.width, self.options.height);
         let (first, last) = (-EDGE, f64::from(TILE - 1) + EDGE);
-        let through = [corner(first, first), corner(last, first), corner(first, last), corner(last, last)];
-        Pencil::new(Bounds::of([perspective.frame.location]), Bounds::of(through))
+        straight.pencil([corner(first, first), corner(last, first), corner(first, last), corner(last, last)])
     }
 
     /// The rays through four image coordinates.
     #[inline]
-    fn rays_of_four(&self, perspective: &Perspective, places: &[(f64, f64); Lanes::COUNT]) -> Rays {
+    fn rays_of_four(&self, straight: Straight, places: &[(f64, f64); Lanes::COUNT]) -> Rays {
         let (mut x, mut y) = (Lanes::ZERO, Lanes::ZERO);
         for (lane, place) in places.iter().enumerate() {
             (x.0[lane], y.0[lane]) = *place;
         }
-        let eye = perspective.frame.location.to_array();
         widest(
             #[inline(always)]
-            || {
-                let [x, y] = film_of_four(x, y, self.options.width, self.options.height);
-                let direction = perspective.directions(x, y);
-                let mut rays = Rays { origin: eye.map(Lanes::splat), direction };
-                rays.normalize();
-                rays
-            },
+            || straight.rays(film_of_four(x, y, self.options.width, self.options.height)),
         )
     }
 

@@ -11,6 +11,7 @@ mod finish;
 mod jitter;
 mod lens;
 mod media;
+mod mesh_camera;
 mod mirror;
 mod plain;
 mod quality;
@@ -34,8 +35,7 @@ use crate::math::{DVec2, Lanes};
 use crate::options::{Antialias, AntialiasMethod, Region, RenderOptions, Sampling};
 use crate::world::accel::Hull;
 use crate::world::atmosphere::Alpha;
-use crate::world::camera::mesh_camera::Place;
-use crate::world::camera::{MeshCamera, Perspective, Projection, film};
+use crate::world::camera::{Straight, film};
 use crate::world::hit::Hit;
 use crate::world::{Ray, RayKind, World};
 use quality::Quality;
@@ -43,6 +43,9 @@ use random::Random;
 use refract::Inside;
 use sampling::Look;
 use trace::{Path, Tracer};
+
+/// No sample is so many pixels off the film.
+const BESIDE: f64 = 8.0;
 
 /// What a pixel shows where the camera has no ray.
 const NOWHERE: Sample = [0.0, 0.0, 0.0, 1.0];
@@ -94,7 +97,7 @@ struct Eye<'w> {
     /// What rays start inside of, where they all start at one point.
     inside: Option<Inside>,
     /// The projection, where rays of samples near each other may travel together.
-    perspective: Option<&'w Perspective>,
+    straight: Option<Straight<'w>>,
     /// Whether samples are mostly the middles of pixels in a row.
     in_rows: bool,
 }
@@ -118,24 +121,20 @@ impl Look for Looking<'_, '_> {
 impl<'w> Eye<'w> {
     fn new(world: &'w World, options: &'w RenderOptions) -> Self {
         let eye = world.camera.eye().or_else(|| {
-            // Where no surface is near a lens, all its places are inside of the same.
-            let lens = world.camera.blur.as_ref().filter(|_| world.camera.mesh.is_none());
-            let (middle, corners) = lens?.extent();
-            let finite = corners.iter().all(|corner| corner.is_finite());
-            let free = finite && world.geometry.is_free(&Hull::new(corners.into_iter().collect()));
-            free.then_some(middle)
+            // Where no surface is near the places where rays start, they are all inside of the same.
+            let starts = world.camera.starts(BESIDE / f64::from(options.width.min(options.height)))?;
+            let first = *starts.first()?;
+            let finite = starts.iter().all(|start| start.is_finite());
+            (finite && world.geometry.is_free(&Hull::new(starts))).then_some(first)
         });
         let in_rows =
             matches!(&options.antialias, None | Some(Antialias { method: AntialiasMethod::Neighbours, .. }))
                 && options.sampling.is_none();
         let camera = &world.camera;
         let simple = camera.blur.is_none() && camera.mesh.is_none() && camera.normal.is_none();
-        let perspective = match &camera.projection {
-            Projection::Perspective(perspective) if simple => Some(perspective),
-            _ => None,
-        };
+        let straight = camera.projection.straight().filter(|_| simple);
         let inside = eye.map(|point| Inside::of(world.interiors_around(point)));
-        Self { world, options, perspective, in_rows, inside }
+        Self { world, options, straight, in_rows, inside }
     }
 
     fn block(&self, block: &Region) -> (Vec<Sample>, Statistics) {
@@ -169,8 +168,8 @@ impl<'w> Eye<'w> {
         if let Some(blur) = &camera.blur {
             return self.through_lens(tracer, blur, x, y);
         }
-        if let Some(perspective) = self.perspective.filter(|_| self.in_rows)
-            && let Some(sample) = self.looked_ahead(tracer, perspective, x, y)
+        if let Some(straight) = self.straight.filter(|_| self.in_rows)
+            && let Some(sample) = self.looked_ahead(tracer, straight, x, y)
         {
             return sample;
         }
@@ -178,21 +177,6 @@ impl<'w> Eye<'w> {
             Some(ray) => self.seen(tracer, ray, (x, y), f64::INFINITY),
             None => NOWHERE,
         }
-    }
-
-    /// The mean of what the rays see that start on faces of meshes.
-    fn through_mesh(&self, tracer: &mut Tracer, mesh: &MeshCamera, x: f64, y: f64) -> Sample {
-        let place = Place { at: DVec2::new(x, y), size: [self.options.width, self.options.height] };
-        let (mut sum, mut count) = ([0.0; 4], 0.0);
-        for index in 0..mesh.rays {
-            if let Some(mut ray) = mesh.ray(place, index) {
-                self.world.camera.bend(&mut ray, DVec2::ZERO);
-                let seen = self.seen(tracer, ray, (x, y), mesh.reach);
-                sum.iter_mut().zip(seen).for_each(|(sum, component)| *sum += component);
-                count += 1.0;
-            }
-        }
-        if count > 0.0 { sum.map(|component| component / count) } else { NOWHERE }
     }
 
     /// The colour and transmit along a ray through image coordinates, up to some distance.

@@ -114,9 +114,12 @@ fn rays_from_the_eye_meet_together_what_they_meet_alone() {
             "sky_sphere{pigment{gradient y}}",
         ),
         ("aperture .4 focal_point 0 blur_samples 10 normal{bumps .1}", "", ""),
+        ("orthographic angle 50", "reflection{.1,.9 falloff 3 exponent 1.5}", even),
+        // Its rays start on either side of the floor.
+        ("orthographic angle 120", "", "fog{distance 20 rgb .5}"),
     ] {
         let sdl = format!(
-            "#declare Floor=finish{{{floor}}} camera{{location <0,2,-7> look_at 0 {camera}}} {sky} {objects}"
+            "#declare Floor=finish{{{floor}}} camera{{{camera} location <0,2,-7> look_at 0}} {sky} {objects}"
         );
         let of = |accelerator, sampling, method: Option<AntialiasMethod>| {
             let antialias = method.map(|method| Antialias { method, threshold: 0.02, ..Default::default() });
@@ -132,7 +135,7 @@ fn rays_from_the_eye_meet_together_what_they_meet_alone() {
             (Some(Sampling::Edges { error: 4.0, most: 64 }), None),
         ];
         // Samples of a lens are none of the sampling's.
-        for (sampling, method) in refined.into_iter().filter(|_| camera.is_empty()) {
+        for (sampling, method) in refined.into_iter().filter(|_| !camera.contains("aperture")) {
             let [linear, tree] = [Accelerator::Linear, Accelerator::Bvh].map(|a| of(a, sampling, method));
             assert!(tree == linear, "{floor} {sampling:?} {method:?}");
         }
@@ -141,5 +144,32 @@ fn rays_from_the_eye_meet_together_what_they_meet_alone() {
         let rgb = |[r, g, b, _]: &[f32; 4]| (r + g + b).to_bits();
         let colors: std::collections::HashSet<u32> = tree.pixels.iter().map(rgb).collect();
         assert!(colors.len() > 300, "{camera}: {} colours", colors.len());
+    }
+}
+
+#[test]
+fn rays_of_a_mesh_camera_meet_together_what_they_meet_alone() {
+    let objects = "light_source{<5,9,-8> rgb 1} background{rgb <.2,.3,.5>}
+        plane{y,-.5 pigment{checker rgb 1 rgb .2} finish{reflection .2}}
+        #for(I,-3,3) sphere{<I,0,I>,.5 pigment{rgb<.5+.1*I,.6,.7>} finish{phong .5}} #end
+        torus{.6,.2 translate <0,1,-1> pigment{rgb<1,.5,.2>}} sphere{<-1,1,0>,.3 pigment{rgbt<1,.7,.2,.5>}}";
+    // Its middle; how far its rays come apart; where they end.
+    for (place, spread, reach) in
+        [("<0,1,-4>", 0.0, 0.0), ("<0,1,-4>", 0.2, 0.0), ("0", 0.1, 0.0), ("<0,1,-4>", 0.0, 4.0)]
+    {
+        let film = format!(
+            "#declare Film=mesh{{#for(J,0,35) #for(I,0,47) #declare P=<(I-23.5)/12,(17.5-J)/12,0>;
+            triangle{{P,P+<.08,.08+{spread}*.08,0>,P+<.08,0,{spread}*P.x*.1>}} #end #end}}"
+        );
+        let mesh = format!("mesh{{Film translate <mod(I,3)/36,div(I,3)/36,0>+{place}}}");
+        let sdl = format!("{film} camera{{mesh_camera{{9 0 {reach} #for(I,0,8) {mesh} #end}}}} {objects}");
+        let [linear, tree] = [Accelerator::Linear, Accelerator::Bvh].map(|accelerator| {
+            let options = RenderOptions { accelerator, ..RenderOptions::new(48, 36) };
+            picture(&scene(&sdl, "3.7"), &options).unwrap().image
+        });
+        assert!(tree == linear, "{place} {spread} {reach}");
+        let rgb = |[r, g, b, _]: &[f32; 4]| (r + g + b).to_bits();
+        let colors: std::collections::HashSet<u32> = tree.pixels.iter().map(rgb).collect();
+        assert!(colors.len() > 200, "{place} {spread} {reach}: {} colours", colors.len());
     }
 }

@@ -45,6 +45,10 @@ const LEAST_SQUARE: f64 = 1e-200;
 /// Boxes around rays are larger than computed by this share of their coordinates, more than rounding takes.
 const ROOM: f64 = 1e-12;
 
+/// Rays along a direction are followed for so many times the size of the box where they start before they are taken to
+/// come apart.
+const FAR: f64 = 1e4;
+
 impl Pencil {
     /// All rays from a box through another, and on; `None` where rays may start where they go through.
     pub fn new(from: Bounds, through: Bounds) -> Option<Self> {
@@ -55,6 +59,15 @@ impl Pencil {
         let (from, through) = (room(from), room(through));
         let apart = (through.min - from.max).max(from.min - through.max).max(DVec3::ZERO);
         (apart.length_squared() > LEAST_SQUARE).then_some(Self { from, through, ends: false })
+    }
+
+    /// All rays from a box, whose unit directions are in another.
+    pub fn along(from: Bounds, directions: Bounds) -> Option<Self> {
+        let size = from.size().max_element();
+        let length = if size > 0.0 { FAR * size } else { 1.0 + from.min.abs().max_element() };
+        let through =
+            Bounds { min: from.min + length * directions.min, max: from.max + length * directions.max };
+        Self::new(from, through)
     }
 
     /// What becomes of rays that don't end where a plane mirrors them, as if they came from behind it: the plane of a

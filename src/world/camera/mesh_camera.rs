@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::math::{DVec2, DVec3, Transform};
+use crate::math::{Bounds, DVec2, DVec3, Transform};
 use crate::world::Ray;
 
 /// Cells along an edge of the uv square; a face is looked for in the cell of its place only.
@@ -12,7 +12,7 @@ const CELLS: usize = 10;
 /// A camera of faces.
 #[derive(Clone, Debug)]
 pub struct MeshCamera {
-    /// Rays for each pixel, of which some may not exist.
+    /// Rays for each pixel, of which some may not exist; 1 where a pixel has one face.
     pub rays: u32,
     /// Nothing at or beyond this distance is seen; infinite where none was given.
     pub reach: f64,
@@ -58,13 +58,18 @@ impl Place {
 }
 
 impl MeshCamera {
-    /// Ray `index` of a place in the picture, its direction unit.
-    #[inline]
-    pub fn ray(&self, place: Place, index: u32) -> Option<Ray> {
+    /// Adds the rays of a place in the picture, in their order; their directions are unit.
+    pub fn rays(&self, place: Place, rays: &mut Vec<Ray>) {
         match &self.distribution {
-            Distribution::Each(meshes) => meshes.get(index as usize)?.ray(place.number()),
+            Distribution::Each(meshes) => {
+                let number = place.number();
+                for mesh in meshes.iter().take(self.rays as usize) {
+                    if let Some(ray) = mesh.ray(number) {
+                        rays.push(ray);
+                    }
+                }
+            }
             // Further rays lie beyond all faces.
-            Distribution::All(_) if index > 0 => None,
             Distribution::All(meshes) => {
                 let mut number = place.number();
                 let mesh = meshes.iter().find(|mesh| {
@@ -72,16 +77,38 @@ impl MeshCamera {
                     number -= if is_there { 0 } else { mesh.faces.len() };
                     is_there
                 });
-                mesh?.ray(number)
+                rays.extend(mesh.and_then(|mesh| mesh.ray(number)));
             }
             Distribution::Columns(meshes) => {
                 let column = place.clamped();
                 let wide = f64::from(place.size[0]) / meshes.len() as f64;
                 let face = column.y as usize * wide as usize + column.x as usize;
-                meshes.get((column.x / wide) as usize)?.ray(face)
+                rays.extend(meshes.get((column.x / wide) as usize).and_then(|mesh| mesh.ray(face)));
             }
-            Distribution::Map(map) => map.ray(place),
+            Distribution::Map(map) => rays.extend(map.ray(place)),
         }
+    }
+
+    /// A box around all places where rays start.
+    pub fn starts(&self) -> Bounds {
+        let meshes = match &self.distribution {
+            Distribution::Each(meshes) | Distribution::All(meshes) | Distribution::Columns(meshes) => meshes,
+            Distribution::Map(map) => {
+                let corners = map.faces.iter().flat_map(|face| face.corners);
+                return map.mount.starts(Bounds::of(corners));
+            }
+        };
+        let (mut all, mut last) = (Bounds::EMPTY, None);
+        for mesh in meshes {
+            let faces = match last {
+                // Mostly the same mesh in many places.
+                Some((faces, bounds)) if Arc::ptr_eq(faces, &mesh.faces) => bounds,
+                _ => Bounds::of(mesh.faces.iter().map(|face| face.origin)),
+            };
+            last = Some((&mesh.faces, faces));
+            all = all.union(mesh.mount.starts(faces));
+        }
+        all
     }
 }
 
@@ -98,12 +125,20 @@ pub struct Mount {
 
 impl Mount {
     /// The ray of a point of the mesh and a unit normal there.
+    #[inline]
     pub fn ray(&self, point: DVec3, normal: DVec3) -> Ray {
         let direction = if self.reversed { -normal } else { normal };
         Ray::new(
             self.transform.point(point + self.offset * normal),
             self.transform.normal(direction).normalize_or_zero(),
         )
+    }
+
+    /// A box around where rays start whose points of the mesh are in another.
+    fn starts(&self, points: Bounds) -> Bounds {
+        // Rounding makes no more of a unit normal.
+        let room = DVec3::splat(self.offset.abs() * 1.001);
+        Bounds { min: points.min - room, max: points.max + room }.transformed(&self.transform)
     }
 }
 
@@ -222,7 +257,11 @@ mod tests {
         ];
         let faces = vec![Mounted { faces: corners.map(middle).into(), mount: MOUNT }];
         let camera = MeshCamera { rays: 1, reach: f64::INFINITY, distribution: Distribution::Each(faces) };
-        let direction = |x, y| camera.ray(place(x, y), 0).map(|ray| ray.direction);
+        let direction = |x, y| {
+            let mut rays = Vec::new();
+            camera.rays(place(x, y), &mut rays);
+            rays.first().map(|ray| ray.direction)
+        };
         for y in [0, 1] {
             assert!(direction(0, y).unwrap().abs_diff_eq(DVec3::new(0.0, 0.2874, -0.9578), 1e-4));
             assert!(direction(1, y).unwrap().abs_diff_eq(DVec3::new(0.0, -0.2874, 0.9578), 1e-4));

@@ -11,6 +11,7 @@ pub mod orthographic;
 pub mod panoramic;
 pub mod perspective;
 pub mod spherical;
+mod straight;
 pub mod ultra_wide_angle;
 
 pub use cylinder::Cylinder;
@@ -22,11 +23,13 @@ pub use orthographic::Orthographic;
 pub use panoramic::Panoramic;
 pub use perspective::Perspective;
 pub use spherical::Spherical;
+pub use straight::Straight;
 pub use ultra_wide_angle::UltraWideAngle;
 
 use std::sync::Arc;
 
 use super::Ray;
+use super::accel::Points;
 use super::sample::Sample;
 use super::texture::Normal;
 use crate::math::{DVec2, DVec3, Lanes};
@@ -133,6 +136,15 @@ impl Projection {
         }
     }
 
+    /// The same, where rays through places near each other may travel together.
+    pub fn straight(&self) -> Option<Straight<'_>> {
+        match self {
+            Self::Perspective(perspective) => Some(Straight::Perspective(perspective)),
+            Self::Orthographic(orthographic) => Some(Straight::Orthographic(orthographic)),
+            _ => None,
+        }
+    }
+
     /// Where all rays start; `None` where they don't start at one point.
     pub fn eye(&self) -> Option<DVec3> {
         match self {
@@ -176,6 +188,21 @@ impl Camera {
     /// Where all rays start; `None` where they don't start at one point.
     pub fn eye(&self) -> Option<DVec3> {
         self.projection.eye().filter(|_| self.blur.is_none() && self.mesh.is_none())
+    }
+
+    /// Where they don't: at least three points around all places where rays start, those of samples included that are
+    /// no more than `beside` off the film; `None` where such are not known.
+    pub fn starts(&self, beside: f64) -> Option<Points> {
+        if let Some(mesh) = &self.mesh {
+            return Some(mesh.starts().corners().into_iter().collect());
+        }
+        if let Some(blur) = &self.blur {
+            return Some(blur.extent().1.into_iter().collect());
+        }
+        let Projection::Orthographic(orthographic) = &self.projection else { return None };
+        let edge = 0.5 + beside;
+        let corners = [[-edge, -edge], [edge, -edge], [-edge, edge], [edge, edge]];
+        Some(corners.into_iter().map(|corner| orthographic.origin(corner.into())).collect())
     }
 }
 
