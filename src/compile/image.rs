@@ -17,17 +17,26 @@ mod tiff;
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
 use super::Unsupported;
 use super::texture::TextureCompiler;
-use crate::math::{DVec2, Gamma, Rgb, Rgbft};
+use crate::math::{DVec2, Gamma, Lanes, Rgb, Rgbft};
 use crate::scene::image::{ImageOrigin, ImageSource, PaletteSetting};
 use crate::scene::settings::Settings;
 use crate::scene::{self, Function};
+use crate::world;
 use crate::world::image::{Image, ImageMap, Interpolation, Pixels, Projection};
 use file::{Decoded, Native, Raw};
 
 /// The most pixels a function image may have.
 const MOST_PIXELS: u64 = 1 << 28;
+
+/// So many rows of a function image are evaluated by one thread at a time.
+const BAND: usize = 16;
+
+/// Room on the stack for patterns within patterns.
+const STACK: usize = 64 << 20;
 
 /// What an image's numbers mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,32 +132,53 @@ impl TextureCompiler<'_> {
             let message = format!("an image of {width} by {height} pixels");
             return Err(Unsupported::broken(source.span, message));
         }
-        let function = self.function(function)?;
-        let place = |i: u32, count: u32| f64::from(i) / f64::from((count - 1).max(1));
-        let mut data = Vec::new();
-        let mut channels = 1;
-        for row in 0..height {
-            for column in 0..width {
-                let mut value = [0.0; 5];
-                let size = function.call_vector(&[place(column, width), place(row, height), 0.0], &mut value);
-                let [r, g, b, _, transmit] = value.map(|v| v as f32);
-                if size < 5 {
-                    data.push(word(r));
-                } else {
-                    channels = 4;
-                    data.extend([r, g, b, 1.0 - transmit].map(word));
-                }
-            }
-        }
         let size = [width as usize, height as usize];
+        let (channels, data) = function_pixels(&*self.function(function)?, size);
         Ok(Decoded::new(size, Raw::Words { channels, data }, Native::Untouched))
     }
 }
 
-/// The 16 bits that POV-Ray keeps of a function's value: what is not in 0 … 1 wraps around.
-fn word(value: f32) -> u16 {
-    let scaled = value * 65535.0;
-    if scaled.abs() < 2_147_483_648.0 { scaled as i32 as u16 } else { 0 }
+/// A function's values over the unit square, row by row: how many channels there are, and their numbers.
+fn function_pixels(function: &world::Function, [width, height]: [usize; 2]) -> (usize, Vec<u16>) {
+    let place = |i: usize, count: usize| i as f64 / (count - 1).max(1) as f64;
+    let channels = if function.call_vector(&[0.0; 3], &mut [0.0; 5]) < 5 { 1 } else { 4 };
+    let mut data = vec![0; width * height * channels];
+    let fill = |row: usize, pixels: &mut [u16]| {
+        let y = Lanes::splat(place(row, height));
+        for (group, pixels) in pixels.chunks_mut(Lanes::COUNT * channels).enumerate() {
+            let x = |lane: usize| place(group * Lanes::COUNT + lane, width);
+            let point = [Lanes([x(0), x(1), x(2), x(3)]), y, Lanes::ZERO];
+            let ([r, g, b, _, transmit], _) = function.four_vectors(&point);
+            if channels == 1 {
+                pixels.copy_from_slice(&words(r, |v| v)[..pixels.len()]);
+                continue;
+            }
+            let [r, g, b] = [words(r, |v| v), words(g, |v| v), words(b, |v| v)];
+            let alpha = words(transmit, |v| 1.0 - v);
+            for (lane, pixel) in pixels.chunks_exact_mut(4).enumerate() {
+                pixel.copy_from_slice(&[r[lane], g[lane], b[lane], alpha[lane]]);
+            }
+        }
+    };
+    data.par_chunks_mut(BAND * width * channels).enumerate().for_each(|(band, rows)| {
+        stacker::grow(STACK, || {
+            for (row, pixels) in rows.chunks_mut(width * channels).enumerate() {
+                fill(band * BAND + row, pixels);
+            }
+        });
+    });
+    (channels, data)
+}
+
+/// The 16 bits that POV-Ray keeps of what a function's values are made into: what is not in 0 … 1 wraps around.
+#[inline(always)]
+fn words(values: Lanes, made: impl Fn(f32) -> f32) -> [u16; Lanes::COUNT] {
+    let mut words = [0; Lanes::COUNT];
+    for (word, value) in words.iter_mut().zip(&values.0) {
+        let scaled = made(*value as f32) * 65535.0;
+        *word = if scaled.abs() < 2_147_483_648.0 { scaled as i32 as u16 } else { 0 };
+    }
+    words
 }
 
 fn set(colors: &mut [Rgbft], settings: &[PaletteSetting], change: impl Fn(&mut Rgbft, f32)) {

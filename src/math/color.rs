@@ -1,5 +1,7 @@
 //! Colours as POV-Ray keeps them: single precision, unclamped, linear in the scene's working space.
 
+use super::Lanes;
+
 /// Red, green, blue in single precision; any value, highlights exceed 1 and negative lights exist.
 pub type Rgb = glam::Vec3A;
 
@@ -68,11 +70,66 @@ impl Rgbft {
     }
 }
 
+/// Four colours side by side, some of which may not be known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FourColors {
+    /// The components in the order of [`Rgbft::to_array`], of all four each.
+    pub components: [[f32; 4]; 5],
+    /// Which are known.
+    pub is_known: [bool; 4],
+}
+
+impl FourColors {
+    /// No colours.
+    pub const NONE: Self = Self { components: [[0.0; 4]; 5], is_known: [false; 4] };
+
+    /// Four times the same.
+    #[inline]
+    pub fn all(color: Rgbft) -> Self {
+        let [r, g, b, filter, transmit] = color.to_array();
+        Self { components: [[r; 4], [g; 4], [b; 4], [filter; 4], [transmit; 4]], is_known: [true; 4] }
+    }
+
+    /// One of them.
+    #[inline]
+    pub fn get(&self, lane: usize) -> Option<Rgbft> {
+        let [r, g, b, filter, transmit] = &self.components;
+        let color = Rgbft::new([r[lane], g[lane], b[lane], filter[lane], transmit[lane]]);
+        self.is_known[lane].then_some(color)
+    }
+
+    /// Replaces one of them.
+    #[inline]
+    pub fn set(&mut self, lane: usize, color: Option<Rgbft>) {
+        self.is_known[lane] = color.is_some();
+        let color = color.unwrap_or_default().to_array();
+        for (component, color) in self.components.iter_mut().zip(color) {
+            component[lane] = color;
+        }
+    }
+
+    /// The [`grey`] of each.
+    #[inline(always)]
+    pub fn greys(&self) -> Lanes {
+        let [r, g, b, ..] = &self.components;
+        let mut greys = Lanes::ZERO;
+        for lane in 0..Lanes::COUNT {
+            greys.0[lane] = f64::from(grey_in([r[lane], g[lane], b[lane]]));
+        }
+        greys
+    }
+}
+
 /// POV-Ray's grey: `0.297 r + 0.589 g + 0.114 b` (docs/spec/shading.md 1), rounded once: greys stay
 /// what they are.
-#[inline]
+#[inline(always)]
 pub fn grey(color: Rgb) -> f32 {
-    (0.297 * f64::from(color.x) + 0.589 * f64::from(color.y) + 0.114 * f64::from(color.z)) as f32
+    grey_in(color.to_array())
+}
+
+#[inline(always)]
+fn grey_in([r, g, b]: [f32; 3]) -> f32 {
+    (0.297 * f64::from(r) + 0.589 * f64::from(g) + 0.114 * f64::from(b)) as f32
 }
 
 #[cfg(test)]

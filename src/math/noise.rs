@@ -4,6 +4,7 @@
 pub mod along;
 #[cfg(target_arch = "x86_64")]
 mod avx2;
+mod four;
 mod lattice;
 mod tables;
 
@@ -11,7 +12,8 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::{Lanes, tally};
+use super::tally;
+pub use four::{noise_at_four, noise_scaled_at_four};
 use tables::{HASH, HASH_SIZE, PERLIN, PERLIN_SIZE, Stream, UNIFORM, UNIFORM_SIZE};
 
 /// What POV-Ray adds where a coordinate on a boundary must fall on one side.
@@ -31,23 +33,12 @@ fn uncounted(generator: u8, p: DVec3) -> f64 {
 }
 
 /// Brings a lattice sum to 0 … 1.
+#[inline(always)]
 fn leveled(generator: u8, sum: f64) -> f64 {
     match generator {
         2 => ((sum + 1.05242) * 0.48985582).clamp(0.0, 1.0),
         _ => (sum + 0.5).clamp(0.0, 1.0),
     }
-}
-
-/// Noise at four points, given by their coordinates: [`noise`] of each.
-pub fn noise_at_four(generator: u8, x: Lanes, y: Lanes, z: Lanes) -> Lanes {
-    tally::noise(Lanes::COUNT);
-    #[cfg(target_arch = "x86_64")]
-    if generator != 3
-        && let Some(lattice) = avx2::Lattice::get()
-    {
-        return Lanes(lattice.four_sums(x.0, y.0, z.0).map(|sum| leveled(generator, sum)));
-    }
-    Lanes([0, 1, 2, 3].map(|i| uncounted(generator, DVec3::new(x.0[i], y.0[i], z.0[i]))))
 }
 
 /// What the corners of the cell around `p` add up to.

@@ -19,7 +19,7 @@ impl<'w> Tracer<'w> {
     /// The finish and the colour of the layer which is all there is to a leaf, if it is that simple.
     #[inline]
     pub(super) fn even_layer(&self, leaf: &Leaf) -> Option<(&'w Finish, Rgbft)> {
-        let layer = self.only_layer(leaf)?;
+        let (layer, _) = self.only_layer(leaf)?;
         Some((&layer.finish, layer.paint.even()?))
     }
 

@@ -8,12 +8,15 @@ use super::random::Random;
 use super::shadow::Target;
 use super::textures;
 use super::trace::{Path, Tracer};
-use crate::math::{Rgb, Rgbft};
+use crate::math::color::FourColors;
+use crate::math::{Lanes, Rgb, Rgbft};
 use crate::world::hit::Hit;
 use crate::world::light::set::Numbers;
 use crate::world::light::{Incident, is_dark};
 use crate::world::object::{Leaf, LeafFlags};
-use crate::world::texture::{Finish, Layer, Paint};
+use crate::world::sample::{Sample, Samples};
+use crate::world::texture::{Finish, Layer, Paint, Pigment};
+use crate::world::warp::Warps;
 use crate::world::{Intersection, Ray};
 
 /// Rays that travel together, and what they meet first.
@@ -45,35 +48,86 @@ pub(super) struct Plain<'w> {
     pub(super) color: Rgb,
     /// Whether it answers light.
     lit: bool,
+    /// The pattern that has yet to say the colour.
+    unpainted: Option<Patterned<'w>>,
+}
+
+/// A pigment which is not the same everywhere.
+#[derive(Clone, Copy)]
+struct Patterned<'w> {
+    pigment: &'w Pigment,
+    /// The way to it from the world, if there is one.
+    placement: Option<&'w Warps>,
+}
+
+impl Patterned<'_> {
+    fn is(&self, other: &Self) -> bool {
+        let places = [self.placement, other.placement].map(|placement| placement.map(std::ptr::from_ref));
+        std::ptr::eq(self.pigment, other.pigment) && places[0] == places[1]
+    }
+
+    fn color(&self, sample: &Sample) -> Option<Rgbft> {
+        match self.placement {
+            Some(way) => self.pigment.color(&sample.moved(way.point(sample.point))),
+            None => self.pigment.color(sample),
+        }
+    }
+
+    fn colors(&self, samples: &Samples) -> FourColors {
+        match self.placement {
+            Some(way) => self.pigment.colors(&samples.moved(way.four(&samples.point))),
+            None => self.pigment.colors(samples),
+        }
+    }
 }
 
 impl<'w> Tracer<'w> {
-    /// The layer of a leaf which is all there is to it, without bumps and film, and neither grained.
+    /// The layer of a leaf which is all there is to it, without bumps and film, and neither grained, and the way to it
+    /// from the world.
     #[inline]
-    pub(super) fn only_layer(&self, leaf: &Leaf) -> Option<&'w Layer> {
+    pub(super) fn only_layer(&self, leaf: &Leaf) -> Option<(&'w Layer, Option<&'w Warps>)> {
         let world: &'w _ = self.world;
         let number = leaf.texture.get().filter(|_| !leaf.flags.contains(LeafFlags::SEVERAL))?;
-        match world.textures[number as usize].layers_in_place() {
+        let texture = &world.textures[number as usize];
+        match texture.layers() {
             Some([layer]) if layer.normal.is_none() => {
-                Some(layer).filter(|layer| layer.finish.irid.is_none() && layer.finish.crand == 0.0)
+                let dry = layer.finish.irid.is_none() && layer.finish.crand == 0.0;
+                dry.then(|| (layer, texture.placement()))
             }
             _ => None,
         }
     }
 
-    /// The layer at a hit of a leaf and its colour, if that is so simple. Writes down where the ray met it.
+    /// The layer at a hit of a leaf and its colour, if that is so simple. Writes down where the ray met it. Of `several`
+    /// rays that travel together, those that meet a pattern are left unpainted.
     #[inline(always)]
-    fn simple(&mut self, leaf: &Leaf, ray: &Ray, hit: &Hit, surface: &mut Intersection) -> Option<Plain<'w>> {
+    fn simple(
+        &mut self,
+        leaf: &Leaf,
+        ray: &Ray,
+        hit: &Hit,
+        surface: &mut Intersection,
+        several: bool,
+    ) -> Option<Plain<'w>> {
         let world = self.world;
         if !self.plain || !leaf.flags.contains(LeafFlags::OPAQUE) {
             return None;
         }
-        let layer = self.only_layer(leaf)?;
+        let (layer, placement) = self.only_layer(leaf)?;
         let finish: &Finish = &layer.finish;
         *surface = world.geometry.surface(ray, hit);
+        let mut unpainted = None;
         let color = match &layer.paint {
             Paint::Even(color) => Rgbft::new(*color),
-            Paint::Pigment(pigment) => pigment.color(&textures::sample(world, ray, hit, surface))?,
+            Paint::Pigment(pigment) => {
+                let patterned = Patterned { pigment, placement };
+                if several && !pigment.is_soon_known() {
+                    unpainted = Some(patterned);
+                    Rgbft::BLACK
+                } else {
+                    patterned.color(&textures::sample(world, ray, hit, surface))?
+                }
+            }
         };
         if color.filter != 0.0 || color.transmit != 0.0 {
             return None;
@@ -81,7 +135,55 @@ impl<'w> Tracer<'w> {
         self.statistics.texture_evaluations += 1;
         let scatters = finish.diffuse > 0.0 || finish.diffuse_back > 0.0;
         let lit = scatters || finish.specular > 0.0 || finish.phong > 0.0;
-        Some(Plain { finish, color: color.rgb, lit })
+        Some(Plain { finish, color: color.rgb, lit, unpainted })
+    }
+
+    /// Finds the colours of the patterns that rays meet, side by side where several meet the same.
+    #[inline(never)]
+    fn paint<const N: usize>(
+        &mut self,
+        bundle: &Bundle<N>,
+        surfaces: &[Intersection; N],
+        met: &mut [Option<Plain<'w>>; N],
+    ) {
+        let world = self.world;
+        for first in 0..N {
+            let Some(pattern) = met[first].as_ref().and_then(|plain| plain.unpainted) else { continue };
+            // Where there are fewer than four, the first stands for the others.
+            let (mut lanes, mut count) = ([first; Lanes::COUNT], 0);
+            for (lane, other) in met.iter().enumerate().skip(first) {
+                let other = other.as_ref().and_then(|plain| plain.unpainted);
+                if count < Lanes::COUNT && other.is_some_and(|other| pattern.is(&other)) {
+                    lanes[count] = lane;
+                    count += 1;
+                }
+            }
+            let sample = |lane: usize| {
+                let hit = bundle.hits[lane]?;
+                Some(textures::sample(world, &bundle.rays[lane], hit, &surfaces[lane]))
+            };
+            let Some(alone) = sample(first) else { continue };
+            let mut colors = FourColors::NONE;
+            if count == 1 {
+                colors.set(0, pattern.color(&alone));
+            } else {
+                let mut samples = [alone; Lanes::COUNT];
+                for place in 1..count {
+                    samples[place] = sample(lanes[place]).unwrap_or(alone);
+                }
+                colors = pattern.colors(&Samples::of(&samples));
+            }
+            for (place, &lane) in lanes[..count].iter().enumerate() {
+                let color = colors.get(place).filter(|color| color.filter == 0.0 && color.transmit == 0.0);
+                match (color, &mut met[lane]) {
+                    (Some(color), Some(plain)) => (plain.color, plain.unpainted) = (color.rgb, None),
+                    (_, met) => {
+                        self.statistics.texture_evaluations -= 1;
+                        *met = None;
+                    }
+                }
+            }
+        }
     }
 
     /// The colours of the surfaces that rays met which are that simple. Those from the `EYE` travel on together where
@@ -97,15 +199,20 @@ impl<'w> Tracer<'w> {
         let mut met = [const { None }; N];
         let mut rooms: [Numbers; N] = std::array::from_fn(|_| Numbers::new());
         let mut lamps = [&[][..]; N];
-        let mut most = 0;
+        let (mut most, mut unpainted) = (0, false);
         for (lane, room) in rooms.iter_mut().enumerate() {
             let Some(hit) = bundle.hits[lane] else { continue };
             let leaf = world.geometry.parts().leaf(hit.leaf);
-            met[lane] = self.simple(leaf, &bundle.rays[lane], hit, &mut surfaces[lane]);
-            if met[lane].as_ref().is_some_and(|plain| plain.lit) {
+            met[lane] = self.simple(leaf, &bundle.rays[lane], hit, &mut surfaces[lane], N > 1);
+            let Some(plain) = &met[lane] else { continue };
+            unpainted |= plain.unpainted.is_some();
+            if plain.lit {
                 lamps[lane] = self.lamps_near(leaf, surfaces[lane].point, room);
                 most = most.max(lamps[lane].len());
             }
+        }
+        if unpainted {
+            self.paint(bundle, surfaces, &mut met);
         }
         let mut direct = [Rgb::ZERO; N];
         for index in 0..most {

@@ -1,6 +1,7 @@
 //! User functions, compiled (docs/spec/language.md 4). Nothing is allocated when one is called.
 
 mod budget;
+mod four;
 pub mod internal;
 mod number;
 pub mod tape;
@@ -9,7 +10,7 @@ use std::sync::Arc;
 
 use smallvec::SmallVec;
 
-use super::sample::{Colors, Field, Sample, one_by_one};
+use super::sample::{Colors, Field, Sample, Samples};
 use crate::math::color::{GREY, grey_of};
 use crate::math::wide::widest;
 use crate::math::{Band, DVec3, Lanes, Slant, Spline, Transform, tally};
@@ -29,6 +30,8 @@ pub struct Function {
     /// What it computes.
     pub body: Body,
     known: bool,
+    /// Whether four values at once have the bits of one.
+    exact: bool,
     /// Whether values are rounded to single precision.
     single: bool,
 }
@@ -65,7 +68,8 @@ impl Function {
             Body::Pigment(_) => true,
             _ => false,
         };
-        Self { parameters, depth, body, known, single }
+        let exact = matches!(&body, Body::Tape(tape) if tape.is_exact());
+        Self { parameters, depth, body, known, exact, single }
     }
 
     /// The value: of functions with several components, the first. Missing arguments count as 0.
@@ -222,15 +226,12 @@ impl Field for Function {
         self.call(&point.to_array())
     }
 
+    fn four(&self, samples: &Samples) -> Lanes {
+        self.four_values(&samples.point)
+    }
+
     fn at_four(&self, point: &[Lanes; 3]) -> Lanes {
-        let found = match &self.body {
-            Body::Tape(tape) => widest(
-                #[inline(always)]
-                || tape.run_four(point, &Budget::default()),
-            ),
-            _ => None,
-        };
-        found.inspect(|_| tally::functions(Lanes::COUNT)).unwrap_or_else(|| one_by_one(self, point))
+        self.four_of_tape(point).unwrap_or_else(|| self.four_values(point))
     }
 
     fn enclose(&self, point: &[Band; 3]) -> Band {

@@ -7,6 +7,7 @@ pub mod cells;
 pub mod crackle;
 pub mod density_file;
 pub mod falloff;
+mod four;
 pub mod hexagon;
 pub mod mandel;
 pub mod noise;
@@ -27,10 +28,10 @@ mod tests;
 use std::sync::Arc;
 
 use super::image::ImageMap;
-use super::sample::{Field, Inside, Sample};
+use super::sample::{Field, Inside, Sample, Samples};
 use super::warp::Warps;
 use crate::math::noise::{EPSILON, cycle, triangle};
-use crate::math::{Band, DVec3, tally};
+use crate::math::{Band, DVec3, Lanes, tally};
 use crate::world::warp::mapping::cube_face;
 
 /// A pattern with its way in and its finishing step.
@@ -127,6 +128,7 @@ impl Pattern {
     }
 
     /// Whether its value takes hardly any time to find.
+    #[inline]
     pub fn is_soon_known(&self) -> bool {
         let few = matches!(
             self.formula,
@@ -176,6 +178,10 @@ impl Pattern {
 impl Field for Pattern {
     fn value(&self, sample: &Sample) -> f64 {
         self.value_at(self.warps.point(sample.point), sample)
+    }
+
+    fn four(&self, samples: &Samples) -> Lanes {
+        self.values_at(&self.warps.four(&samples.point), samples)
     }
 
     fn enclose(&self, point: &[Band; 3]) -> Band {

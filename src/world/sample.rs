@@ -1,6 +1,7 @@
 //! What is known at a point where patterns, pigments and normals are asked for, and how they,
 //! functions and shapes see each other.
 
+use crate::math::color::FourColors;
 use crate::math::{Band, DVec2, DVec3, Lanes, Rgbft, Slant};
 use crate::world::warp::Warps;
 
@@ -28,7 +29,7 @@ pub struct Sample<'a> {
 impl Sample<'_> {
     /// A point without a surface.
     #[inline]
-    pub fn at(point: DVec3) -> Self {
+    pub const fn at(point: DVec3) -> Self {
         Self {
             point,
             position: point,
@@ -56,6 +57,86 @@ impl Sample<'_> {
     pub fn uv_mapped(&self) -> Self {
         self.moved(self.uv.extend(0.0))
     }
+}
+
+/// Four samples that are evaluated side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct Samples<'a> {
+    /// Where patterns are evaluated, coordinate by coordinate.
+    pub point: [Lanes; 3],
+    places: Places<'a>,
+}
+
+/// What is known of four samples besides.
+#[derive(Clone, Copy, Debug)]
+enum Places<'a> {
+    /// Where they are in the world: there is no surface.
+    Points(&'a [Lanes; 3]),
+    /// All there is.
+    Hits(&'a [Sample<'a>; Lanes::COUNT]),
+}
+
+impl<'a> Samples<'a> {
+    /// Four points without a surface.
+    #[inline(always)]
+    pub fn at(point: &'a [Lanes; 3]) -> Self {
+        Self { point: *point, places: Places::Points(point) }
+    }
+
+    /// These, at their own points.
+    #[inline]
+    pub fn of(hits: &'a [Sample<'a>; Lanes::COUNT]) -> Self {
+        let [a, b, c, d] = hits;
+        let axis = |axis: usize| Lanes([a.point[axis], b.point[axis], c.point[axis], d.point[axis]]);
+        Self { point: [axis(0), axis(1), axis(2)], places: Places::Hits(hits) }
+    }
+
+    /// The same places seen from elsewhere.
+    #[inline(always)]
+    pub fn moved(&self, point: [Lanes; 3]) -> Self {
+        Self { point, ..*self }
+    }
+
+    /// The point of one of them.
+    #[inline(always)]
+    pub fn point_of(&self, lane: usize) -> DVec3 {
+        lane_of(&self.point, lane)
+    }
+
+    /// What is known of one of them besides its point.
+    #[inline]
+    pub fn surface(&self, lane: usize) -> &Sample<'a> {
+        const NONE: &Sample = &Sample::at(DVec3::ZERO);
+        match self.places {
+            Places::Points(_) => NONE,
+            Places::Hits(hits) => &hits[lane],
+        }
+    }
+
+    /// One of them.
+    #[inline]
+    pub fn get(&self, lane: usize) -> Sample<'a> {
+        let point = self.point_of(lane);
+        match self.places {
+            Places::Points(places) => Sample::at(lane_of(places, lane)).moved(point),
+            Places::Hits(hits) => hits[lane].moved(point),
+        }
+    }
+
+    /// The same places seen through `uv_mapping`.
+    pub fn uv_mapped(&self) -> Self {
+        let [mut u, mut v] = [Lanes::ZERO; 2];
+        for lane in 0..Lanes::COUNT {
+            DVec2 { x: u.0[lane], y: v.0[lane] } = self.get(lane).uv;
+        }
+        self.moved([u, v, Lanes::ZERO])
+    }
+}
+
+/// One of four points.
+#[inline(always)]
+fn lane_of([x, y, z]: &[Lanes; 3], lane: usize) -> DVec3 {
+    DVec3::new(x.0[lane], y.0[lane], z.0[lane])
 }
 
 /// A link in the list of what stands around a layer: normals pass through all of it.
@@ -100,9 +181,15 @@ pub trait Field: Send + Sync + std::fmt::Debug {
         self.value(&Sample::at(point))
     }
 
-    /// The numbers at four such points, given by their coordinates.
+    /// The numbers at four samples, the same bits as one by one.
+    fn four(&self, samples: &Samples) -> Lanes {
+        one_by_one(|lane| self.value(&samples.get(lane)))
+    }
+
+    /// The numbers at four points without a surface, given by their coordinates. Sines and cosines may be off by
+    /// [`Lanes::SINE_ERROR`].
     fn at_four(&self, point: &[Lanes; 3]) -> Lanes {
-        one_by_one(self, point)
+        self.four(&Samples::at(point))
     }
 
     /// What holds the numbers at all points without a surface whose coordinates these hold.
@@ -132,15 +219,19 @@ pub trait Field: Send + Sync + std::fmt::Debug {
     }
 }
 
-/// A field at four points, one after the other.
-pub fn one_by_one<F: Field + ?Sized>(field: &F, [x, y, z]: &[Lanes; 3]) -> Lanes {
-    Lanes([0, 1, 2, 3].map(|i| field.at(DVec3::new(x.0[i], y.0[i], z.0[i]))))
+/// A number for each of four lanes, one after the other.
+#[inline]
+pub fn one_by_one(number: impl Fn(usize) -> f64) -> Lanes {
+    Lanes([number(0), number(1), number(2), number(3)])
 }
 
 /// Gives a colour at every sample: pigments.
 pub trait Colors: Send + Sync + std::fmt::Debug {
     /// The colour at `sample`, white and clear where there is none.
     fn color(&self, sample: &Sample) -> Rgbft;
+
+    /// The colours at four samples, the same bits as one by one.
+    fn four_colors(&self, samples: &Samples) -> FourColors;
 
     /// What holds a component (0 … 4: red, green, blue, filter, transmit; or their
     /// [`GREY`](crate::math::color::GREY)) of the colours of all points whose coordinates these hold.

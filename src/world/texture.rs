@@ -4,6 +4,7 @@
 mod along;
 pub mod blend_map;
 pub mod finish;
+mod four;
 pub mod normal;
 pub mod paint;
 pub mod pigment;
@@ -129,6 +130,15 @@ impl Texture {
         match self {
             Self::Even(layer) => Some(slice::from_ref(layer)),
             Self::Placed { body, placement } => body.layers().filter(|_| placement.is_empty()),
+        }
+    }
+
+    /// The way from the world to the space that its layers are in, if that is another.
+    #[inline]
+    pub fn placement(&self) -> Option<&Warps> {
+        match self {
+            Self::Even(_) => None,
+            Self::Placed { placement, .. } => Some(placement).filter(|placement| !placement.is_empty()),
         }
     }
 

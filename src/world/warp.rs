@@ -10,7 +10,7 @@ pub use repeat::Repeat;
 
 use crate::math::noise::Octaves;
 use crate::math::wide::widest;
-use crate::math::{Band, DVec3, Transform};
+use crate::math::{Band, DVec3, Lanes, Transform};
 
 /// One step on the way to a pattern.
 #[derive(Clone, Debug)]
@@ -69,6 +69,35 @@ impl Warps {
         p.clamp(-FARTHEST, FARTHEST)
     }
 
+    /// Where the pattern sees four points.
+    pub fn four(&self, point: &[Lanes; 3]) -> [Lanes; 3] {
+        if self.steps.is_empty() {
+            return within_reach(point);
+        }
+        widest(
+            #[inline(always)]
+            || self.four_steps(*point),
+        )
+    }
+
+    #[inline(always)]
+    fn four_steps(&self, mut p: [Lanes; 3]) -> [Lanes; 3] {
+        for step in &self.steps {
+            p = match step {
+                Warp::Transform(transform) => transform.inverse_points(&p),
+                Warp::Turbulence(amount, octaves) => {
+                    let [x, y, z] = octaves.vector_at_four(&p);
+                    [p[0] + x * amount.x, p[1] + y * amount.y, p[2] + z * amount.z]
+                }
+                Warp::Repeat(repeat) => repeat.four(p),
+                Warp::BlackHole(hole) => one_by_one(p, |p| hole.point(p)),
+                Warp::Mapping(mapping) => one_by_one(p, |p| mapping.point(p)),
+                Warp::Cubic => one_by_one(p, mapping::cubic),
+            };
+        }
+        within_reach(&p)
+    }
+
     /// What holds the places where the pattern sees all points that these hold.
     pub fn along(&self, p: [Band; 3]) -> [Band; 3] {
         if self.steps.is_empty() {
@@ -121,6 +150,28 @@ impl Warps {
         }
         unit(n, raw)
     }
+}
+
+/// Where each of four points goes.
+#[inline(never)]
+fn one_by_one([x, y, z]: [Lanes; 3], go: impl Fn(DVec3) -> DVec3) -> [Lanes; 3] {
+    let mut seen = [Lanes::ZERO; 3];
+    for lane in 0..Lanes::COUNT {
+        let p = go(DVec3::new(x.0[lane], y.0[lane], z.0[lane]));
+        (seen[0].0[lane], seen[1].0[lane], seen[2].0[lane]) = (p.x, p.y, p.z);
+    }
+    seen
+}
+
+/// Four points kept within [`FARTHEST`], as `DVec3::clamp` does.
+#[inline(always)]
+fn within_reach([x, y, z]: &[Lanes; 3]) -> [Lanes; 3] {
+    #[inline(always)]
+    fn clamped(c: f64) -> f64 {
+        let above = if c > -FARTHEST.x { c } else { -FARTHEST.x };
+        if above < FARTHEST.x { above } else { FARTHEST.x }
+    }
+    [x.map(clamped), y.map(clamped), z.map(clamped)]
 }
 
 fn unit(n: DVec3, raw: bool) -> DVec3 {

@@ -2,6 +2,8 @@
 //! [`super::lattice`] give the same bits: what a cell's corners add is summed one after the other, and lanes hold
 //! what is independent: several points, the components of a vector, or products before they are summed.
 
+mod four;
+
 use std::arch::x86_64::*;
 use std::sync::LazyLock;
 
@@ -9,6 +11,8 @@ use glam::DVec3;
 
 use super::tables::{GRADIENT, HASH, HASH_SIZE, SHIFT};
 use super::{EPSILON, Octaves};
+use crate::math::Lanes;
+use four::{Axis, is_finite, is_zero};
 
 /// The fixed tables in the order in which they are read here. There is one only where there is AVX2.
 pub(super) struct Lattice {
@@ -39,13 +43,6 @@ struct Place {
     weight: [__m256d; 2],
 }
 
-/// One coordinate of four points.
-struct Axis {
-    plane: [u32; 4],
-    offset: [__m256d; 2],
-    weight: [__m256d; 2],
-}
-
 impl Lattice {
     /// The tables, where the processor can do this.
     pub(super) fn get() -> Option<&'static Self> {
@@ -64,10 +61,10 @@ impl Lattice {
         unsafe { self.several(p.x, p.y, p.z, scales, sums) }
     }
 
-    /// What the corners around four points add up to, which are given by their coordinates.
-    pub(super) fn four_sums(&self, x: [f64; 4], y: [f64; 4], z: [f64; 4]) -> [f64; 4] {
+    /// What the corners around four points add up to once these are scaled by each of `scales`.
+    pub(super) fn sums_at_four(&self, point: &[Lanes; 3], scales: &[f64], sums: &mut [Lanes]) {
         // SAFETY: a `Lattice` exists only where there is AVX2.
-        unsafe { self.four_points(x, y, z) }
+        unsafe { self.points(point, scales, sums) }
     }
 
     /// Vector noise at `p` scaled by each of `scales`.
@@ -80,6 +77,12 @@ impl Lattice {
     pub(super) fn turbulence(&self, p: DVec3, octaves: &Octaves) -> DVec3 {
         // SAFETY: a `Lattice` exists only where there is AVX2.
         unsafe { self.octaves(p.x, p.y, p.z, octaves) }
+    }
+
+    /// Vector noise at four points once these are scaled by each of `scales`.
+    pub(super) fn vectors_at_four(&self, point: &[Lanes; 3], scales: &[f64], vectors: &mut [[Lanes; 3]]) {
+        // SAFETY: a `Lattice` exists only where there is AVX2.
+        unsafe { self.vectors_of_points(point, scales, vectors) }
     }
 
     #[target_feature(enable = "avx2")]
@@ -104,25 +107,18 @@ impl Lattice {
         let mut at = 0;
         while let Some(&[a, b, c, d]) = scales[at..].first_chunk() {
             let scale = _mm256_set_pd(d, c, b, a);
-            let found = self.four(_mm256_mul_pd(x, scale), _mm256_mul_pd(y, scale), _mm256_mul_pd(z, scale));
-            sums[at..at + 4].copy_from_slice(&each(found));
+            let places = [
+                Axis::of(_mm256_mul_pd(x, scale)),
+                Axis::of(_mm256_mul_pd(y, scale)),
+                Axis::of(_mm256_mul_pd(z, scale)),
+            ];
+            sums[at..at + 4].copy_from_slice(&each(self.anywhere(&places)));
             at += 4;
         }
         while let (Some(scale), Some(sum)) = (scales.get(at), sums.get_mut(at)) {
             *sum = self.one(_mm256_mul_pd(p, _mm256_set1_pd(*scale)));
             at += 1;
         }
-    }
-
-    /// The gradients of a cell's corners, bit 0 of the index the side in x, bit 1 in y, bit 2 in z.
-    #[inline(always)]
-    fn corners(&self, [x, y, z]: [u32; 3]) -> [usize; 8] {
-        let columns = self.columns(x, y);
-        let mut corners = [0; 8];
-        for side in 0..8 {
-            corners[side] = self.gradient(columns[side & 3], z + (side >> 2) as u32);
-        }
-        corners
     }
 
     /// What the numbers of the planes in x and y hash to.
@@ -147,12 +143,18 @@ impl Lattice {
     #[target_feature(enable = "avx2")]
     fn one(&self, p: __m256d) -> f64 {
         let Place { cell, offset, weight } = Place::of(p);
-        let m = self.corners(cell);
+        let columns = self.columns(cell[0], cell[1]);
         let (dx, dy) = (along_x(offset), along_y(offset));
         let influence = _mm256_mul_pd(along_x(weight), along_y(weight));
-        let mut sum = 0.0;
+        let mut sum = 0.0_f64;
         for k in 0..2 {
-            let [a, b, c, d] = [m[4 * k], m[4 * k + 1], m[4 * k + 2], m[4 * k + 3]];
+            // The corners beyond the plane that the point is on add nothing.
+            if k == 1 && sum.is_finite() && is_zero(every::<2>(offset[0])) {
+                break;
+            }
+            let plane = cell[2] + k as u32;
+            let [a, b] = [self.gradient(columns[0], plane), self.gradient(columns[1], plane)];
+            let [c, d] = [self.gradient(columns[2], plane), self.gradient(columns[3], plane)];
             let [half, x, y, z] =
                 transposed([self.slopes[a], self.slopes[b], self.slopes[c], self.slopes[d]]);
             let slope = _mm256_add_pd(half, _mm256_mul_pd(x, dx));
@@ -163,50 +165,6 @@ impl Lattice {
                 sum += term;
             }
         }
-        sum
-    }
-
-    #[target_feature(enable = "avx2")]
-    fn four_points(&self, x: [f64; 4], y: [f64; 4], z: [f64; 4]) -> [f64; 4] {
-        let lanes = |[a, b, c, d]: [f64; 4]| _mm256_set_pd(d, c, b, a);
-        each(self.four(lanes(x), lanes(y), lanes(z)))
-    }
-
-    /// Four points, one in each lane.
-    #[target_feature(enable = "avx2")]
-    fn four(&self, x: __m256d, y: __m256d, z: __m256d) -> __m256d {
-        let [x, y, z] = [Axis::of(x), Axis::of(y), Axis::of(z)];
-        let columns = [
-            self.columns(x.plane[0], y.plane[0]),
-            self.columns(x.plane[1], y.plane[1]),
-            self.columns(x.plane[2], y.plane[2]),
-            self.columns(x.plane[3], y.plane[3]),
-        ];
-        let mut sum = _mm256_setzero_pd();
-        macro_rules! add_corner {
-            ($side:literal) => {
-                let (i, j, k) = ($side & 1, $side >> 1 & 1, $side >> 2);
-                let [half, rx, ry, rz] = transposed([
-                    self.slopes[self.gradient(columns[0][$side & 3], z.plane[0] + k as u32)],
-                    self.slopes[self.gradient(columns[1][$side & 3], z.plane[1] + k as u32)],
-                    self.slopes[self.gradient(columns[2][$side & 3], z.plane[2] + k as u32)],
-                    self.slopes[self.gradient(columns[3][$side & 3], z.plane[3] + k as u32)],
-                ]);
-                let slope = _mm256_add_pd(half, _mm256_mul_pd(rx, x.offset[i]));
-                let slope = _mm256_add_pd(slope, _mm256_mul_pd(ry, y.offset[j]));
-                let slope = _mm256_add_pd(slope, _mm256_mul_pd(rz, z.offset[k]));
-                let weight = _mm256_mul_pd(_mm256_mul_pd(x.weight[i], y.weight[j]), z.weight[k]);
-                sum = _mm256_add_pd(sum, _mm256_mul_pd(weight, slope));
-            };
-        }
-        add_corner!(0);
-        add_corner!(1);
-        add_corner!(2);
-        add_corner!(3);
-        add_corner!(4);
-        add_corner!(5);
-        add_corner!(6);
-        add_corner!(7);
         sum
     }
 
@@ -238,7 +196,7 @@ impl Lattice {
     #[target_feature(enable = "avx2")]
     fn vector(&self, p: __m256d) -> __m256d {
         let Place { cell, offset, weight } = Place::of(p);
-        let m = self.corners(cell);
+        let columns = self.columns(cell[0], cell[1]);
         let [low, high] = offset;
         let dx = [every::<0>(low), every::<0>(high)];
         let dy = [every::<1>(low), every::<1>(high)];
@@ -251,7 +209,7 @@ impl Lattice {
         macro_rules! add_corner {
             ($side:literal) => {
                 let (i, j, k) = ($side & 1, $side >> 1 & 1, $side >> 2);
-                let m = m[$side];
+                let m = self.gradient(columns[$side & 3], cell[2] + k as u32);
                 let slope = _mm256_add_pd(self.halves[m], _mm256_mul_pd(self.vectors[m + 1], dx[i]));
                 let slope = _mm256_add_pd(slope, _mm256_mul_pd(self.vectors[m + 2], dy[j]));
                 let slope = _mm256_add_pd(slope, _mm256_mul_pd(self.vectors[m + 3], dz[k]));
@@ -263,6 +221,10 @@ impl Lattice {
         add_corner!(1);
         add_corner!(3);
         add_corner!(2);
+        // The corners beyond the plane that the point is on add nothing.
+        if is_zero(dz[0]) && is_finite(sum) {
+            return sum;
+        }
         add_corner!(6);
         add_corner!(7);
         add_corner!(5);
@@ -275,18 +237,9 @@ impl Place {
     #[inline]
     #[target_feature(enable = "avx2")]
     fn of(p: __m256d) -> Self {
-        let (plane, offset, weight) = places(p);
-        let [x, y, z, _] = plane;
+        let (planes, offset, weight) = places(p);
+        let [x, y, z, _] = numbers(planes);
         Self { cell: [x, y, z], offset, weight }
-    }
-}
-
-impl Axis {
-    #[inline]
-    #[target_feature(enable = "avx2")]
-    fn of(c: __m256d) -> Self {
-        let (plane, offset, weight) = places(c);
-        Self { plane, offset, weight }
     }
 }
 
@@ -294,7 +247,7 @@ impl Axis {
 /// and the influence of both.
 #[inline]
 #[target_feature(enable = "avx2")]
-fn places(c: __m256d) -> ([u32; 4], [__m256d; 2], [__m256d; 2]) {
+fn places(c: __m256d) -> (__m128i, [__m256d; 2], [__m256d; 2]) {
     let one = _mm256_set1_pd(1.0);
     let below_zero = _mm256_cmp_pd::<_CMP_NGE_UQ>(c, _mm256_setzero_pd());
     let shifted = _mm256_sub_pd(c, _mm256_and_pd(below_zero, _mm256_set1_pd(1.0 - EPSILON)));
@@ -302,14 +255,20 @@ fn places(c: __m256d) -> ([u32; 4], [__m256d; 2], [__m256d; 2]) {
     let f = _mm256_sub_pd(c, _mm256_cvtepi32_pd(t));
     let s = _mm256_sub_pd(_mm256_set1_pd(3.0), _mm256_mul_pd(_mm256_set1_pd(2.0), f));
     let s = _mm256_mul_pd(_mm256_mul_pd(f, f), s);
-    let plane = _mm_and_si128(_mm_add_epi32(t, _mm_set1_epi32(SHIFT)), _mm_set1_epi32(4095));
-    let plane = [
-        _mm_extract_epi32::<0>(plane) as u32,
-        _mm_extract_epi32::<1>(plane) as u32,
-        _mm_extract_epi32::<2>(plane) as u32,
-        _mm_extract_epi32::<3>(plane) as u32,
-    ];
-    (plane, [f, _mm256_sub_pd(f, one)], [_mm256_sub_pd(one, s), s])
+    let planes = _mm_and_si128(_mm_add_epi32(t, _mm_set1_epi32(SHIFT)), _mm_set1_epi32(4095));
+    (planes, [f, _mm256_sub_pd(f, one)], [_mm256_sub_pd(one, s), s])
+}
+
+/// The whole numbers in the lanes.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn numbers(v: __m128i) -> [u32; 4] {
+    [
+        _mm_extract_epi32::<0>(v) as u32,
+        _mm_extract_epi32::<1>(v) as u32,
+        _mm_extract_epi32::<2>(v) as u32,
+        _mm_extract_epi32::<3>(v) as u32,
+    ]
 }
 
 /// Lane 0 of the lower and of the upper value in turn: what differs along x.
@@ -416,6 +375,30 @@ mod tests {
             let [second, third] = [2.1, 2.1 * 2.1].map(|scale| lattice::vector(scale * p));
             let expected = lattice::vector(p) + 0.7 * second + 0.7 * 0.7 * third;
             assert_eq!(bits(&found.to_array()), bits(&expected.to_array()), "octaves at {p}");
+        }
+    }
+
+    #[test]
+    fn four_points_give_the_same_bits_as_one_at_a_time() {
+        let Some(lanes) = Lattice::get() else { return };
+        let scales = [1.0, 4.0, -0.3];
+        let all: Vec<DVec3> = points().collect();
+        // Neighbours in a row, mostly within one cell, and points that have nothing to do with each other.
+        let rows = all.iter().map(|&p| [0.0, 0.01, 0.02, 0.03].map(|step| p + DVec3::X * step));
+        let strangers = all.windows(4).map(|four| [four[0], four[1], four[2], four[3]]);
+        for four in rows.chain(strangers) {
+            let point = [0, 1, 2].map(|axis| Lanes(four.map(|p| p[axis])));
+            let (mut sums, mut vectors) = ([Lanes::ZERO; 3], [[Lanes::ZERO; 3]; 3]);
+            lanes.sums_at_four(&point, &scales, &mut sums);
+            lanes.vectors_at_four(&point, &scales, &mut vectors);
+            for (octave, scale) in scales.into_iter().enumerate() {
+                let expected = four.map(|p| lattice::sum(scale * p));
+                assert_eq!(bits(&sums[octave].0), bits(&expected), "{scale} times {four:?}");
+                for (axis, found) in vectors[octave].iter().enumerate() {
+                    let expected = four.map(|p| lattice::vector(scale * p)[axis]);
+                    assert_eq!(bits(&found.0), bits(&expected), "{scale} times {four:?}");
+                }
+            }
         }
     }
 }

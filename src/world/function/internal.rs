@@ -21,6 +21,8 @@ const PARAMETERS: usize = 10;
 pub struct Internal {
     /// How many numbers it takes, the point among them.
     pub parameters: usize,
+    /// Whether four values at once have the bits of one.
+    pub(super) exact: bool,
     formula: Formula<f64>,
     lanes: Formula<Lanes>,
     bands: Formula<Band>,
@@ -35,7 +37,8 @@ impl Internal {
         let (_, lanes) = find(number, generator)?;
         let (_, bands) = find(number, generator)?;
         let (_, slants) = find(number, generator)?;
-        Some(Self { parameters: parameters + 3, formula, lanes, bands, slants })
+        let exact = noise::find::<f64>(number, generator).is_some();
+        Some(Self { parameters: parameters + 3, exact, formula, lanes, bands, slants })
     }
 
     /// The value; missing arguments count as 0.

@@ -159,6 +159,15 @@ impl Tape {
         })
     }
 
+    /// Whether four values at once have the bits of one: there are no sines and cosines in it.
+    pub(super) fn is_exact(&self) -> bool {
+        self.ops.iter().all(|op| match &op.code {
+            Code::Unary(Unary::Sin | Unary::Cos) => false,
+            Code::Internal(internal, _) => internal.exact,
+            _ => true,
+        })
+    }
+
     /// Whether anything in it is rounded to single precision.
     pub fn is_single(&self) -> bool {
         self.ops.iter().any(|op| matches!(&op.code, Code::Call(function, _) if function.single))
@@ -341,7 +350,9 @@ impl Operand for f64 {
 
 impl Operand for Lanes {
     fn call(function: &Function, arguments: &[Self], component: u8, budget: &Budget) -> Self {
-        one_by_one(arguments, |arguments| f64::call(function, arguments, component, budget))
+        function.four_of_points(arguments, component).unwrap_or_else(|| {
+            one_by_one(arguments, |arguments| f64::call(function, arguments, component, budget))
+        })
     }
 
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! `crackle` and the seeds of `facets` (docs/spec/patterns-textures.md 2.3 and 4.3).
 
 mod along;
+mod four;
 mod metric;
 
 pub use metric::Metric;

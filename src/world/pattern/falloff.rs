@@ -1,8 +1,9 @@
 //! `boxed`, `cylindrical`, `planar`, `spherical`: 1 in the middle, 0 from distance 1 on
 //! (docs/spec/patterns-textures.md 2.2).
 
-use crate::math::DVec3;
+use crate::math::{DVec3, Lanes};
 
+#[inline(always)]
 fn fall(distance: f64) -> f64 {
     if distance < 0.0 {
         1.0
@@ -16,6 +17,13 @@ fn fall(distance: f64) -> f64 {
 /// Falls towards the faces of a cube.
 pub(super) fn boxed(p: DVec3) -> f64 {
     fall(p.abs().max_element())
+}
+
+/// [`boxed`] at four points.
+#[inline(always)]
+pub(super) fn boxed_at_four([x, y, z]: &[Lanes; 3]) -> Lanes {
+    let greater = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a > b { a } else { b });
+    greater(x.abs(), greater(y.abs(), z.abs())).map(fall)
 }
 
 /// Falls away from the y axis.

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use super::along;
 use super::blend_map::{BlendMap, Pick};
-use crate::math::color::grey;
-use crate::math::{Band, Rgb, Rgbft};
+use crate::math::color::{FourColors, grey};
+use crate::math::{Band, Lanes, Rgb, Rgbft};
 use crate::world::image::ImageMap;
 use crate::world::image::along::greyness;
 use crate::world::pattern::Pattern;
-use crate::world::sample::{Colors, Field, Sample};
+use crate::world::sample::{Colors, Field, Sample, Samples};
 use crate::world::warp::Warps;
 
 /// Where colours come from. Small, as most are of one colour and scenes have millions.
@@ -44,9 +44,7 @@ impl Pigment {
                 match map.pick(pattern.value_at(inner.point, sample)) {
                     Pick::One(pigment) => pigment.color(&inner),
                     Pick::Two { previous, current, t } => {
-                        let (previous, current) = (previous.color(&inner), current.color(&inner));
-                        let painted = previous.is_some() || current.is_some();
-                        painted.then(|| blend(or_clear(previous), or_clear(current), t))
+                        blended(previous.color(&inner), current.color(&inner), t)
                     }
                 }
             }
@@ -110,18 +108,28 @@ fn or_clear(color: Option<Rgbft>) -> Rgbft {
 
 /// Every component by itself, the share in double precision (docs/spec/patterns-textures.md 3.2).
 #[inline]
-fn blend(previous: Rgbft, current: Rgbft, t: f64) -> Rgbft {
+pub(super) fn blend(previous: Rgbft, current: Rgbft, t: f64) -> Rgbft {
     let (mut blended, current) = (previous.to_array(), current.to_array());
     // A loop: closures given to arrays become calls.
-    for (component, current) in blended.iter_mut().zip(&current) {
-        *component += (t * f64::from(current - *component)) as f32;
+    for place in 0..5 {
+        blended[place] += (t * f64::from(current[place] - blended[place])) as f32;
     }
     Rgbft::new(blended)
+}
+
+/// The same where there may be no colour.
+pub(super) fn blended(previous: Option<Rgbft>, current: Option<Rgbft>, t: f64) -> Option<Rgbft> {
+    let painted = previous.is_some() || current.is_some();
+    painted.then(|| blend(or_clear(previous), or_clear(current), t))
 }
 
 impl Colors for Pigment {
     fn color(&self, sample: &Sample) -> Rgbft {
         or_clear(self.color(sample))
+    }
+
+    fn four_colors(&self, samples: &Samples) -> FourColors {
+        self.colors_or_clear(samples)
     }
 
     fn enclose(&self, point: &[Band; 3], component: u8) -> Band {
@@ -137,6 +145,10 @@ impl Colors for Pigment {
 impl Field for Pigment {
     fn value(&self, sample: &Sample) -> f64 {
         f64::from(grey(or_clear(self.color(sample)).rgb))
+    }
+
+    fn four(&self, samples: &Samples) -> Lanes {
+        self.colors_or_clear(samples).greys()
     }
 
     fn enclose(&self, point: &[Band; 3]) -> Band {

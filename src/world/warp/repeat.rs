@@ -31,13 +31,35 @@ impl Repeat {
         let block = f64::from((p[self.axis] / self.width).floor() as f32);
         let mut r = p;
         r[self.axis] -= f64::from((block * self.width) as f32);
-        if block % 2.0 != 0.0 {
+        if is_odd(block) {
             r *= self.flip;
             if self.flips_axis {
                 r[self.axis] += self.width;
             }
         }
         r + block * self.offset
+    }
+
+    /// Where in the first slab four points are.
+    #[inline(always)]
+    pub(super) fn four(&self, p: [Lanes; 3]) -> [Lanes; 3] {
+        let mut r = p;
+        let blocks = (p[self.axis] / self.width).map(|slab| f64::from(slab.floor() as f32));
+        r[self.axis] = r[self.axis] - (blocks * self.width).map(|start| f64::from(start as f32));
+        for lane in 0..Lanes::COUNT {
+            if is_odd(blocks.0[lane]) {
+                for (coordinate, flip) in r.iter_mut().zip(self.flip.to_array()) {
+                    coordinate.0[lane] *= flip;
+                }
+                if self.flips_axis {
+                    r[self.axis].0[lane] += self.width;
+                }
+            }
+        }
+        for (coordinate, offset) in r.iter_mut().zip(self.offset.to_array()) {
+            *coordinate = *coordinate + blocks * offset;
+        }
+        r
     }
 
     /// What holds the places in the first slab of all points that these hold.
@@ -97,6 +119,14 @@ const ROOM: f64 = 1e-12;
 
 /// So many slabs have numbers in single precision.
 const MOST: f64 = 1e7;
+
+/// Whether a whole number is odd, or no number at all.
+#[inline(always)]
+fn is_odd(block: f64) -> bool {
+    // The remainder over 2 would do, but it is a loop.
+    let half = block * 0.5;
+    half - half.floor() != 0.0
+}
 
 #[cfg(test)]
 mod tests {
