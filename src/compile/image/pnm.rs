@@ -35,8 +35,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
             words.extend(stored.iter().copied().map(u16::from));
         }
     }
-    if let Some(word) = words.iter().find(|word| **word > white) {
-        return Err(format!("{word} is more than its brightest, {white}").into());
+    let most = words.iter().fold(0, |most, word| most.max(*word));
+    if most > white {
+        return Err(format!("{most} is more than its brightest, {white}").into());
     }
     let raw = if wide {
         Raw::Words { channels, data: words }

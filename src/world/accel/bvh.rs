@@ -125,59 +125,6 @@ impl Bvh {
         self.whole
     }
 
-    /// Over a grid of bounded items, numbered row by row, of which so many are in a row. Neighbours stay
-    /// together without a search for the best places to cut.
-    pub fn over_grid(boxes: &[Bounds], width: usize) -> Self {
-        let mut bvh = Self::empty(boxes.iter().fold(Bounds::EMPTY, |all, bounds| all.union(*bounds)));
-        let depth = boxes.len().checked_div(width).unwrap_or(0);
-        if depth > 0 {
-            bvh.grow(boxes, width, [0..width, 0..depth]);
-        }
-        bvh
-    }
-
-    /// Appends the node over a part of a grid; answers its box and number.
-    fn grow(&mut self, boxes: &[Bounds], width: usize, part: [Span<usize>; 2]) -> (Around, build::Child) {
-        let mut parts = SmallVec::<[[Span<usize>; 2]; WIDTH]>::new();
-        parts.push(part);
-        while parts.len() < WIDTH {
-            let count = |[columns, rows]: &[Span<usize>; 2]| columns.len() * rows.len();
-            let largest = (0..parts.len()).max_by_key(|&i| count(&parts[i]));
-            let Some(largest) = largest.filter(|&i| count(&parts[i]) > 1) else {
-                break;
-            };
-            let [columns, rows] = parts.swap_remove(largest);
-            let middle = |span: &Span<usize>| span.start + span.len() / 2;
-            if columns.len() >= rows.len() {
-                let middle = middle(&columns);
-                parts.push([columns.start..middle, rows.clone()]);
-                parts.push([middle..columns.end, rows]);
-            } else {
-                let middle = middle(&rows);
-                parts.push([columns.clone(), rows.start..middle]);
-                parts.push([columns, middle..rows.end]);
-            }
-        }
-        let number = self.nodes.len();
-        // Its place is taken before its children's.
-        self.nodes.push(Node::EMPTY);
-        let mut around = Around::NOTHING;
-        let mut children = SmallVec::<[(Around, build::Child); WIDTH]>::new();
-        for [columns, rows] in parts {
-            let child = if columns.len() * rows.len() == 1 {
-                let item = rows.start * width + columns.start;
-                let bounds = self.item(boxes[item], item as u32).around();
-                (bounds, build::Child::Run { first: item as u32, length: 1 })
-            } else {
-                self.grow(boxes, width, [columns, rows])
-            };
-            around = around.union(child.0);
-            children.push(child);
-        }
-        self.nodes[number] = node(&children);
-        (around, build::Child::Node(number as u32))
-    }
-
     /// Without items, but with room for them in a box.
     fn empty(whole: Bounds) -> Self {
         let scale = 2.0 / whole.size().max_element();

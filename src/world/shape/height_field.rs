@@ -8,7 +8,6 @@ use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape};
 use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec3};
-use crate::world::accel::Bvh;
 use crate::world::{Range, Ray};
 
 /// Two triangles over each cell of a grid on the unit square in x and z.
@@ -28,8 +27,6 @@ pub struct HeightField {
     smooth: bool,
     bounds: Bounds,
     cells: Cells,
-    /// Over blocks of cells.
-    bvh: Bvh,
 }
 
 /// Samples that make a height of 1; its reciprocal is exact.
@@ -51,20 +48,10 @@ impl HeightField {
             (0..samples).map(|sample| sample as f64 / last).collect()
         });
         let cells = Cells::new(size, &heights);
-        let [along_x, along_z] = &places;
-        let boxes = (0..cells.blocks()).map(|block| {
-            let ([xs, zs], [least, most]) = (cells.within(block), cells.extremes(block));
-            Bounds {
-                min: DVec3::new(along_x[xs.start], f64::from(least) / FULL, along_z[zs.start]),
-                max: DVec3::new(along_x[xs.end], f64::from(most) / FULL, along_z[zs.end]),
-            }
-        });
-        let boxes: Vec<_> = boxes.collect();
-        let mut bounds = boxes.iter().fold(Bounds::EMPTY, |all, b| all.union(*b));
-        bounds.min.y = bounds.min.y.max(water);
+        let [least, most] = cells.extremes().map(|height| f64::from(height) / FULL);
+        let bounds = Bounds { min: DVec3::new(0.0, least.max(water), 0.0), max: DVec3::new(1.0, most, 1.0) };
         let bounds = if bounds.is_empty() { Bounds::EMPTY } else { bounds };
-        let bvh = Bvh::over_grid(&boxes, cells.blocks_along_x());
-        Some(Self { size, heights, places, water, smooth, bounds, cells, bvh })
+        Some(Self { size, heights, places, water, smooth, bounds, cells })
     }
 
     fn height(&self, x: usize, z: usize) -> f64 {
@@ -92,44 +79,47 @@ impl HeightField {
         widest(
             #[inline(always)]
             || {
+                let Some(way) = self.way(ray, range) else { return };
                 let sheared = Sheared::new(ray);
-                let scale = DVec3::new((self.size[0] - 1) as f64, FULL, (self.size[1] - 1) as f64);
-                let in_cells = Ray { origin: ray.origin * scale, direction: ray.direction * scale };
-                let way = Way::new(&in_cells, self.size);
                 let mut max = range.max;
-                self.bvh.along(
-                    ray,
-                    range,
+                self.cells.along(
+                    &way,
+                    max,
                     #[inline(always)]
-                    |block| {
-                        self.cells.along(
-                            &way,
-                            block as usize,
-                            Range { min: range.min, max },
-                            #[inline(always)]
-                            |x, z| {
-                                // Two triangles, as in `triangle`.
-                                let cell = (z * self.size[0] + x) as u32;
-                                let (right, far) = (self.corner(x + 1, z), self.corner(x, z + 1));
-                                let diagonal = sheared.base(right, far);
-                                for (near, part) in [((x, z), 2 * cell), ((x + 1, z + 1), 2 * cell + 1)] {
-                                    let near = self.corner(near.0, near.1);
-                                    let Some(hit) = sheared.meet_over(&diagonal, near) else { continue };
-                                    // The triangle's own height: the ray's would fray what lies level with the
-                                    // water.
-                                    let is_above = || blend([near, right, far], hit.at).y >= self.water;
-                                    if range.contains(hit.t) && hit.t <= max && is_above() {
-                                        max = found(part, hit).unwrap_or(max);
-                                    }
-                                }
-                                max
-                            },
-                        );
+                    |x, z| {
+                        // Two triangles, as in `triangle`.
+                        let cell = (z * self.size[0] + x) as u32;
+                        let (right, far) = (self.corner(x + 1, z), self.corner(x, z + 1));
+                        let diagonal = sheared.base(right, far);
+                        for (near, part) in [((x, z), 2 * cell), ((x + 1, z + 1), 2 * cell + 1)] {
+                            let near = self.corner(near.0, near.1);
+                            let Some(hit) = sheared.meet_over(&diagonal, near) else { continue };
+                            // The triangle's own height: the ray's would fray what lies level with the water.
+                            let is_above = || blend([near, right, far], hit.at).y >= self.water;
+                            if range.contains(hit.t) && hit.t <= max && is_above() {
+                                max = found(part, hit).unwrap_or(max);
+                            }
+                        }
                         max
                     },
                 );
             },
         );
+    }
+
+    /// A ray among the cells; `None` where it passes them all.
+    #[inline(always)]
+    fn way(&self, ray: &Ray, range: Range) -> Option<Way> {
+        let scale = self.steps();
+        let in_cells = Ray { origin: ray.origin * scale, direction: ray.direction * scale };
+        let bounds = Bounds { min: self.bounds.min * scale, max: self.bounds.max * scale };
+        Way::new(&in_cells, &bounds, range)
+    }
+
+    /// Cells along x and z, and steps of height, of the unit cube.
+    #[inline(always)]
+    fn steps(&self) -> DVec3 {
+        DVec3::new((self.size[0] - 1) as f64, FULL, (self.size[1] - 1) as f64)
     }
 
     /// A corner's height where there is water over what lies lower.
@@ -335,6 +325,40 @@ mod tests {
         let over: Vec<_> = aims.filter(over).collect();
         assert!(over.len() > 100);
         assert!(over.iter().all(|ray| flat.nearest(ray, Range::AHEAD).is_some()));
+    }
+
+    #[test]
+    fn no_block_hides_what_a_ray_meets() {
+        let mut state = 1_u32;
+        let mut random = move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(state >> 8) / f64::from(1 << 24)
+        };
+        for [width, depth] in [[2, 2], [5, 6], [3, 66], [18, 4], [17, 65], [2, 258]] {
+            let heights = (0..width * depth).map(|_| (random() * 65535.0) as u16).collect();
+            let field = HeightField::new([width, depth], heights, 0.2, false).unwrap();
+            let cells =
+                (0..width * depth).filter(|cell| cell / width < depth - 1 && cell % width < width - 1);
+            let parts: Vec<u32> = cells.flat_map(|cell| [2 * cell as u32, 2 * cell as u32 + 1]).collect();
+            for number in 0..300 {
+                let mut point =
+                    |size: f64| DVec3::new(random(), random(), random()) * size - (size - 1.0) / 2.0;
+                let (origin, aim) = (point([1.0, 3.0, 1e4][number % 3]), point(1.0));
+                // Also along the axes.
+                let kept = [DVec3::ONE, DVec3::new(1.0, 1.0, 0.0), DVec3::X, DVec3::Z, DVec3::Y][number % 5];
+                let ray = Ray::new(aim + (origin - aim) * kept, (aim - origin) * kept);
+                let range = Range { min: if number % 2 == 0 { 0.0 } else { 0.6 }, max: 1.5 };
+                let sheared = Sheared::new(&ray);
+                let met = parts.iter().filter_map(|part| {
+                    let corners = field.triangle(*part);
+                    let hit = sheared.meet(corners)?;
+                    (range.contains(hit.t) && blend(corners, hit.at).y >= field.water).then_some(hit.t)
+                });
+                let expected = met.min_by(f64::total_cmp);
+                assert_eq!(field.nearest(&ray, range).map(|crossing| crossing.t), expected, "{ray:?}");
+                assert_eq!(field.occludes(&ray, range), expected.is_some());
+            }
+        }
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::world::{Range, Ray};
 const LOOKED_AT: f64 = 16.0;
 
 impl HeightField {
-    /// What holds whether points are inside: of lines that keep away from all blocks of cells, or of what is over few
+    /// What holds whether points are inside: of lines that keep away from all cells, or of what is over few
     /// cells.
     pub(super) fn inside_of_grid(&self, point: &[Band; 3]) -> Band {
         let far = uncrossed::inside_unless(self, |ray, range| self.is_near(ray, range), point);
@@ -32,10 +32,12 @@ impl HeightField {
             return true;
         }
         let mut near = false;
-        self.bvh.along(ray, range, |_| {
-            near = true;
-            f64::NEG_INFINITY
-        });
+        if let Some(way) = self.way(ray, range) {
+            self.cells.along(&way, range.max, |_, _| {
+                near = true;
+                f64::NEG_INFINITY
+            });
+        }
         near
     }
 
