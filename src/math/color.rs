@@ -120,6 +120,55 @@ impl FourColors {
     }
 }
 
+/// Red, green and blue of four colours side by side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FourRgb(pub [[f32; 4]; 3]);
+
+impl FourRgb {
+    /// Black.
+    pub const ZERO: Self = Self([[0.0; 4]; 3]);
+
+    /// Four times the same.
+    #[inline(always)]
+    pub fn all(color: Rgb) -> Self {
+        Self([[color.x; 4], [color.y; 4], [color.z; 4]])
+    }
+
+    /// One of them.
+    #[inline(always)]
+    pub fn get(&self, lane: usize) -> Rgb {
+        let [r, g, b] = &self.0;
+        Rgb::new(r[lane], g[lane], b[lane])
+    }
+
+    /// Replaces one of them.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, color: Rgb) {
+        let [r, g, b] = &mut self.0;
+        [r[lane], g[lane], b[lane]] = color.to_array();
+    }
+
+    /// Adds others, each multiplied by the same.
+    #[inline(always)]
+    pub fn add(&mut self, others: &Self, factor: Rgb) {
+        for (component, factor) in factor.to_array().into_iter().enumerate() {
+            for lane in 0..4 {
+                self.0[component][lane] += others.0[component][lane] * factor;
+            }
+        }
+    }
+
+    /// Multiplies each by another.
+    #[inline(always)]
+    pub fn multiply(&mut self, others: &Self) {
+        for component in 0..3 {
+            for lane in 0..4 {
+                self.0[component][lane] *= others.0[component][lane];
+            }
+        }
+    }
+}
+
 /// POV-Ray's grey: `0.297 r + 0.589 g + 0.114 b` (docs/spec/shading.md 1), rounded once: greys stay
 /// what they are.
 #[inline(always)]

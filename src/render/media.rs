@@ -2,6 +2,7 @@
 //! behind and what they leave of it.
 
 mod adaptive;
+mod halves;
 mod intervals;
 mod lamps;
 mod sample;
@@ -19,6 +20,7 @@ use crate::world::atmosphere::Veil;
 use crate::world::light::set::Numbers;
 use crate::world::media::{Method, Sampling};
 use crate::world::{Light, LightSet, Media, Range, Ray, World};
+pub(super) use halves::Parts;
 pub(super) use intervals::{Beam, Between};
 use intervals::{Interval, Shadow, intervals};
 use sample::Sample;
@@ -66,7 +68,13 @@ struct March<'s, 'w> {
 
 /// The media of all interiors around a ray.
 pub(super) fn mix<'w>(world: &'w World, inside: &Inside) -> Mix<'w> {
-    inside.numbers().flat_map(|number| &world.interiors[number as usize].media).collect()
+    let mut mix = Mix::new();
+    for number in inside.numbers() {
+        for media in &world.interiors[number as usize].media {
+            mix.push(media);
+        }
+    }
+    mix
 }
 
 impl Tracer<'_> {
@@ -86,10 +94,10 @@ impl Tracer<'_> {
         march.between.clear();
         self.look_for_lamps(&mut march);
         let (mut added, mut depth, mut left) = (Rgb::ZERO, Rgb::ZERO, Rgb::ONE);
-        for interval in intervals(march.rule, &march.beams, stretch.length) {
+        for interval in &intervals(march.rule, &march.beams, stretch.length) {
             let seen = match march.uniform {
-                Some(unit) if !(scatters && interval.lit) => self.uniform(&march, &interval, unit),
-                _ => self.interval(&march, &interval),
+                Some(unit) if !(scatters && interval.lit) => self.uniform(&march, interval, unit),
+                _ => self.interval(&march, interval),
             };
             added += left * seen.source;
             depth += seen.depth;
@@ -114,9 +122,9 @@ impl Tracer<'_> {
             return transmittance(uniform.depth * stretch.length as f32);
         }
         let intervals = intervals(march.rule, &[], stretch.length);
-        let depth = intervals.map(|interval| match march.rule.method {
-            Method::Adaptive { .. } => self.adaptive_depth(&march, &interval),
-            Method::Random(_) | Method::Even(_) => self.stratified_depth(&march, &interval),
+        let depth = intervals.iter().map(|interval| match march.rule.method {
+            Method::Adaptive { .. } => self.adaptive_depth(&march, interval),
+            Method::Random(_) | Method::Even(_) => self.stratified_depth(&march, interval),
         });
         transmittance(depth.sum())
     }

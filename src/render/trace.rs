@@ -2,7 +2,7 @@
 //! (docs/spec/shading.md 4).
 
 use super::ahead::Ahead;
-use super::media::{Beam, Between};
+use super::media::{Beam, Between, Parts};
 use super::plain::{Bundle, Room};
 use super::quality::Quality;
 use super::random::Random;
@@ -84,6 +84,8 @@ pub(super) struct Tracer<'w> {
     /// The lamps of a march through media, and what stands before them.
     pub(super) beams: Vec<Beam>,
     pub(super) between: Vec<Between>,
+    /// The parts of the stretch of media at hand.
+    pub(super) parts: Parts,
     /// Pixels that were looked at before somebody asks for them.
     pub(super) ahead: Ahead,
     /// What the rays through the lens at hand may meet.
@@ -140,6 +142,7 @@ impl<'w> Tracer<'w> {
             blockers: vec![None; world.lights.len()],
             beams: Vec::new(),
             between: Vec::new(),
+            parts: Parts::default(),
             ahead: Ahead::default(),
             within: Within::default(),
             row: None,

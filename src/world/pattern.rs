@@ -181,7 +181,7 @@ impl Field for Pattern {
     }
 
     fn four(&self, samples: &Samples) -> Lanes {
-        self.values_at(&self.warps.four(&samples.point), samples)
+        self.values(samples)
     }
 
     fn enclose(&self, point: &[Band; 3]) -> Band {

@@ -80,8 +80,9 @@ impl Warps {
         )
     }
 
+    /// The same, compiled together with what is around it: within [`widest`].
     #[inline(always)]
-    fn four_steps(&self, mut p: [Lanes; 3]) -> [Lanes; 3] {
+    pub fn four_steps(&self, mut p: [Lanes; 3]) -> [Lanes; 3] {
         for step in &self.steps {
             p = match step {
                 Warp::Transform(transform) => transform.inverse_points(&p),

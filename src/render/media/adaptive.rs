@@ -3,25 +3,50 @@
 //!
 //! As in POV-Ray only the first `n / (n + 1)` of an interval is sampled, for the whole of it.
 
+use smallvec::SmallVec;
+
 use super::intervals::Interval;
-use super::sample::Sample;
+use super::sample::{Mixture, Sample};
 use super::{March, transmittance};
-use crate::math::Rgb;
+use crate::math::{Lanes, Rgb};
 use crate::render::trace::Tracer;
 
 /// Halving parts more often than this changes no picture.
 const DEEPEST: u32 = 24;
 
+/// Parts that may be halved more often than this are halved one after the other, as there may be many.
+const DEEP: u32 = 7;
+
 /// A sample and the place in the interval that it stands for, whatever jitter did to it.
-#[derive(Clone, Copy)]
-struct Knot {
-    place: f64,
-    value: Sample,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Knot {
+    pub(super) place: f64,
+    pub(super) value: Sample,
 }
 
 /// How many parts an interval has for a number of `samples`.
 fn parts(samples: u32) -> u32 {
     (samples / 2 + 1).max(2)
+}
+
+impl March<'_, '_> {
+    /// Whether the light of two neighbours differs so much that samples are taken between them.
+    #[inline]
+    pub(super) fn differ(&self, one: &Knot, other: &Knot) -> bool {
+        (one.value.source - other.value.source).abs().element_sum() > self.threshold
+    }
+}
+
+/// The mean of a part that isn't halved.
+#[inline]
+pub(super) fn mean(left: &Knot, middle: &Knot, right: &Knot) -> Sample {
+    (left.value + middle.value + right.value) * (1.0 / 3.0)
+}
+
+/// What a half between an outer knot and the middle adds to the mean of a part, if it isn't halved again.
+#[inline]
+pub(super) fn half(outer: &Knot, middle: &Knot) -> Sample {
+    outer.value * (1.0 / 3.0) + middle.value * (1.0 / 6.0)
 }
 
 impl Tracer<'_> {
@@ -30,16 +55,48 @@ impl Tracer<'_> {
         let parts = parts(march.rule.min_samples);
         let share = (parts as f32).recip();
         let spacing = f64::from(parts + 1).recip();
+        let level = level.min(DEEPEST) - 1;
+        let mut known = SmallVec::new();
+        if march.uniform.is_none() && march.rule.jitter == 0.0 {
+            // Lamps may take random numbers, so their order counts.
+            let lamps = interval.lit && march.scatters;
+            if !lamps && level <= DEEP {
+                return self.halved(march, interval, (parts, spacing), level);
+            }
+            known = self.mixtures_of_knots(march, interval, parts, spacing);
+        }
+        let known = |half: u32| known.get(half as usize);
         let mut sum = Sample::NOTHING;
-        let mut left = self.knot(march, interval, 0.0, spacing);
+        let mut left = self.knot(march, interval, (0.0, spacing), known(0));
         for part in 1..=parts {
-            let right = self.knot(march, interval, f64::from(part) * spacing, spacing);
-            let value = self.refined(march, interval, [left, right], level.min(DEEPEST) - 1);
+            let right = self.knot(march, interval, (f64::from(part) * spacing, spacing), known(2 * part));
+            let value = self.refined(march, interval, [left, right], level, known(2 * part - 1));
             sum.source += value.source * share * transmittance(sum.depth);
             sum.depth += value.depth * share;
             left = right;
         }
         sum
+    }
+
+    /// What media do at the ends of parts and in their middles, but for lamps.
+    fn mixtures_of_knots(
+        &mut self,
+        march: &March,
+        interval: &Interval,
+        parts: u32,
+        spacing: f64,
+    ) -> SmallVec<[Mixture; 24]> {
+        let (mut mixtures, count) = (SmallVec::new(), 2 * parts + 1);
+        for first in (0..count).step_by(Lanes::COUNT) {
+            let (mut places, mut taken) = ([0.0; Lanes::COUNT], 0);
+            for (place, half) in places.iter_mut().zip(first..count) {
+                *place = place_of(half, spacing);
+                taken += 1;
+            }
+            let four = self.media_mixtures(march, interval, &places[..taken]);
+            mixtures.extend((0..taken).map(|lane| four.get(lane)));
+        }
+        mixtures
     }
 
     /// The mean of the part between two knots, which may be halved `level` times.
@@ -49,27 +106,33 @@ impl Tracer<'_> {
         interval: &Interval,
         [left, right]: [Knot; 2],
         level: u32,
+        known: Option<&Mixture>,
     ) -> Sample {
         let place = (left.place + right.place) / 2.0;
-        let middle = self.knot(march, interval, place, right.place - left.place);
+        let middle = self.knot(march, interval, (place, right.place - left.place), known);
         if level == 0 {
-            return (left.value + middle.value + right.value) * (1.0 / 3.0);
+            return mean(&left, &middle, &right);
         }
-        let mut half = |outer: Knot, ends: [Knot; 2]| {
-            let difference = (outer.value.source - middle.value.source).abs().element_sum();
-            if difference > march.threshold {
-                self.refined(march, interval, ends, level - 1) * 0.5
+        let mut side = |outer: Knot, ends: [Knot; 2]| {
+            if march.differ(&outer, &middle) {
+                self.refined(march, interval, ends, level - 1, None) * 0.5
             } else {
-                outer.value * (1.0 / 3.0) + middle.value * (1.0 / 6.0)
+                half(&outer, &middle)
             }
         };
-        half(left, [left, middle]) + half(right, [middle, right])
+        side(left, [left, middle]) + side(right, [middle, right])
     }
 
     /// A sample of the whole interval, displaced by at most half the `distance` of knots.
-    fn knot(&mut self, march: &March, interval: &Interval, place: f64, distance: f64) -> Knot {
+    fn knot(
+        &mut self,
+        march: &March,
+        interval: &Interval,
+        (place, distance): (f64, f64),
+        known: Option<&Mixture>,
+    ) -> Knot {
         let displaced = self.displaced(march, place, distance);
-        let sample = self.media_sample(march, interval.start + displaced * interval.length, interval.lit);
+        let sample = self.media_sample(march, interval.at(displaced), interval.lit, known);
         Knot { place, value: sample.scaled(interval.length) }
     }
 
@@ -85,16 +148,29 @@ impl Tracer<'_> {
     pub(super) fn adaptive_depth(&mut self, march: &March, interval: &Interval) -> Rgb {
         let parts = parts(march.rule.min_samples);
         let spacing = f64::from(parts + 1).recip();
-        let mut sum = Rgb::ZERO;
-        for half in 0..=2 * parts {
-            let (place, distance) = (f64::from(half) / 2.0 * spacing, spacing);
-            let place = self.displaced(march, place, distance);
-            let depth = self.media_depth(march, interval.start + place * interval.length);
-            // Knots between two parts count for both.
-            sum += if half % 2 == 0 && half != 0 && half != 2 * parts { depth * 2.0 } else { depth };
+        let (mut sum, count) = (Rgb::ZERO, 2 * parts + 1);
+        for first in (0..count).step_by(Lanes::COUNT) {
+            let (mut places, mut taken) = ([0.0; Lanes::COUNT], 0);
+            for (place, half) in places.iter_mut().zip(first..count) {
+                *place = self.displaced(march, f64::from(half) / 2.0 * spacing, spacing);
+                taken += 1;
+            }
+            let depths = self.media_depths(march, interval, &places[..taken]);
+            for (half, lane) in (first..count).zip(0..taken) {
+                let depth = depths.get(lane);
+                // Knots between two parts count for both.
+                sum += if half % 2 == 0 && half != 0 && half != 2 * parts { depth * 2.0 } else { depth };
+            }
         }
         sum * (interval.length as f32 / (3 * parts) as f32)
     }
+}
+
+/// The place of a knot: the ends of parts have even numbers, the middles odd ones.
+#[inline]
+pub(super) fn place_of(half: u32, spacing: f64) -> f64 {
+    let end = |number: u32| f64::from(number) * spacing;
+    if half.is_multiple_of(2) { end(half / 2) } else { (end(half / 2) + end(half / 2 + 1)) / 2.0 }
 }
 
 /// What an interval does whose samples are all alike: the sum of a geometric series.

@@ -95,8 +95,27 @@ pub(super) struct Interval {
     pub(super) lit: bool,
 }
 
+impl Interval {
+    /// The distance of a place in it, which is 0 where it begins and 1 where it ends.
+    #[inline]
+    pub(super) fn at(&self, place: f64) -> f64 {
+        self.start + place * self.length
+    }
+}
+
+/// Stretches mostly have no more intervals.
+pub(super) type Intervals = SmallVec<[Interval; 4]>;
+
 /// The intervals of a stretch, the nearest first.
-pub(super) fn intervals(rule: &Sampling, beams: &[Beam], length: f64) -> impl Iterator<Item = Interval> {
+pub(super) fn intervals(rule: &Sampling, beams: &[Beam], length: f64) -> Intervals {
+    let mut intervals = Intervals::new();
+    if beams.is_empty() {
+        if length > 0.0 {
+            let parts = if rule.plain { 1 } else { rule.intervals.max(1) };
+            cut(&Interval { start: 0.0, length, lit: false }, parts, &mut intervals);
+        }
+        return intervals;
+    }
     let pieces = pieces(beams, length);
     let count = pieces.len() as u32;
     let dark = rule.plain && !pieces.iter().any(|piece| piece.lit);
@@ -104,7 +123,7 @@ pub(super) fn intervals(rule: &Sampling, beams: &[Beam], length: f64) -> impl It
     let total: f64 = pieces.iter().map(weight).sum();
     let all = rule.intervals.max(count);
     let mut left = all;
-    let share = |(index, piece): (u32, &Interval)| {
+    for (index, piece) in (0..).zip(&pieces) {
         let parts = if count == 1 {
             if dark { 1 } else { left }
         } else {
@@ -112,17 +131,17 @@ pub(super) fn intervals(rule: &Sampling, beams: &[Beam], length: f64) -> impl It
             share.saturating_add(1).min((left + index + 1).saturating_sub(count)).max(1)
         };
         left = left.saturating_sub(parts);
-        (*piece, parts)
-    };
-    let shares: SmallVec<[(Interval, u32); 8]> = (0..).zip(&pieces).map(share).collect();
-    shares.into_iter().flat_map(|(piece, parts)| {
-        let length = piece.length / f64::from(parts);
-        (0..parts).map(move |part| Interval {
-            start: piece.start + f64::from(part) * length,
-            length,
-            ..piece
-        })
-    })
+        cut(piece, parts, &mut intervals);
+    }
+    intervals
+}
+
+/// Adds the parts of a piece.
+fn cut(piece: &Interval, parts: u32, intervals: &mut Intervals) {
+    let length = piece.length / f64::from(parts);
+    for part in 0..parts {
+        intervals.push(Interval { start: piece.start + f64::from(part) * length, length, ..*piece });
+    }
 }
 
 /// Lit and unlit pieces in turn.
@@ -172,8 +191,8 @@ mod tests {
         Beam { light: 0, reach: Range { min, max }, among: None, simple: true, air: None }
     }
 
-    fn shown(intervals: impl Iterator<Item = Interval>) -> Vec<(f64, f64, bool)> {
-        intervals.map(|i| (i.start, i.length, i.lit)).collect()
+    fn shown(intervals: Intervals) -> Vec<(f64, f64, bool)> {
+        intervals.iter().map(|i| (i.start, i.length, i.lit)).collect()
     }
 
     #[test]
@@ -198,7 +217,7 @@ mod tests {
 
     #[test]
     fn lit_pieces_get_most_of_the_intervals() {
-        let found: Vec<_> = intervals(&rule(10), &[beam(1.0, 3.0)], 4.0).collect();
+        let found = intervals(&rule(10), &[beam(1.0, 3.0)], 4.0);
         let lit = found.iter().filter(|interval| interval.lit).count();
         // Shares of 10 are 0.9, 8.2 and 0.9: one for the first, eight for the lit, one is left.
         assert_eq!((found.len(), lit), (10, 8));
@@ -209,14 +228,14 @@ mod tests {
     fn overlapping_and_touching_beams_light_one_piece() {
         let beams = [beam(2.0, 3.0), beam(0.0, 1.5), beam(1.0, 2.0)];
         assert_eq!(shown(intervals(&rule(1), &beams, 3.0)), [(0.0, 3.0, true)]);
-        assert_eq!(intervals(&rule(1), &[beam(1.0, 3.0)], 3.0).count(), 2);
+        assert_eq!(intervals(&rule(1), &[beam(1.0, 3.0)], 3.0).len(), 2);
     }
 
     #[test]
     fn every_piece_has_an_interval_whatever_the_ratio() {
         for ratio in [-3.0, 0.0, 0.5, 1.0, 7.0, f64::NAN] {
             let rule = Sampling { ratio, ..rule(5) };
-            let found: Vec<_> = intervals(&rule, &[beam(1.0, 2.0), beam(3.0, 4.0)], 5.0).collect();
+            let found = intervals(&rule, &[beam(1.0, 2.0), beam(3.0, 4.0)], 5.0);
             let whole: f64 = found.iter().map(|interval| interval.length).sum();
             assert!((whole - 5.0).abs() < 1e-12, "{ratio}: {found:?}");
         }

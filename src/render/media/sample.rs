@@ -3,9 +3,11 @@
 use std::ops::{Add, Mul};
 
 use super::March;
-use crate::math::{DVec3, Rgb};
+use super::intervals::Interval;
+use crate::math::color::FourRgb;
+use crate::math::{DVec3, Lanes, Rgb};
 use crate::render::trace::Tracer;
-use crate::world::Media;
+use crate::world::{Media, Ray};
 
 /// Light that media send to the eye, and the optical depth: per unit of length, or of an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +23,7 @@ impl Sample {
     pub(super) const NOTHING: Self = Self { source: Rgb::ZERO, depth: Rgb::ZERO };
 
     /// The same over a length.
+    #[inline]
     pub(super) fn scaled(self, length: f64) -> Self {
         self * length as f32
     }
@@ -29,6 +32,7 @@ impl Sample {
 impl Add for Sample {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self { source: self.source + other.source, depth: self.depth + other.depth }
     }
@@ -37,43 +41,129 @@ impl Add for Sample {
 impl Mul<f32> for Sample {
     type Output = Self;
 
+    #[inline]
     fn mul(self, factor: f32) -> Self {
         Self { source: self.source * factor, depth: self.depth * factor }
     }
 }
 
 /// What media do over a unit at a point but for lamps, and what they scatter of these.
-fn mixture(media: &[&Media], point: DVec3) -> (Sample, Rgb) {
-    let mut sum = Sample::NOTHING;
-    let mut scattered = Rgb::ZERO;
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Mixture {
+    unlit: Sample,
+    scattered: Rgb,
+}
+
+/// The same at four points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Mixtures {
+    source: FourRgb,
+    depth: FourRgb,
+    scattered: FourRgb,
+}
+
+impl Mixtures {
+    /// The same four times.
+    fn all(Mixture { unlit: Sample { source, depth }, scattered }: Mixture) -> Self {
+        Self { source: FourRgb::all(source), depth: FourRgb::all(depth), scattered: FourRgb::all(scattered) }
+    }
+
+    /// One of them.
+    #[inline]
+    pub(super) fn get(&self, lane: usize) -> Mixture {
+        Mixture { unlit: self.unlit(lane), scattered: self.scattered.get(lane) }
+    }
+
+    /// One of them without lamps.
+    #[inline]
+    pub(super) fn unlit(&self, lane: usize) -> Sample {
+        Sample { source: self.source.get(lane), depth: self.depth.get(lane) }
+    }
+}
+
+/// What media do over a unit at a point but for lamps, and what they scatter of these.
+fn mixture(media: &[&Media], point: DVec3) -> Mixture {
+    let (mut unlit, mut scattered) = (Sample::NOTHING, Rgb::ZERO);
     for media in media {
         let density = media.density.at(point);
-        sum.source += density * media.emission;
-        sum.depth += density * media.extinction;
+        unlit.source += density * media.emission;
+        unlit.depth += density * media.extinction;
         scattered += density * media.scattering;
     }
-    (sum, scattered)
+    Mixture { unlit, scattered }
+}
+
+/// The points at up to four places of an interval, the last as often as it takes.
+fn points(march: &March, interval: &Interval, places: &[f64]) -> [Lanes; 3] {
+    let mut s = Lanes::splat(places[places.len() - 1]);
+    s.0[..places.len()].copy_from_slice(places);
+    s = s * interval.length + interval.start;
+    let Ray { origin, direction, .. } = &march.stretch.ray;
+    [s * direction.x + origin.x, s * direction.y + origin.y, s * direction.z + origin.z]
 }
 
 impl Tracer<'_> {
-    /// What media do over a unit at distance `s` of a march; lamps count where `lit`.
-    pub(super) fn media_sample(&mut self, march: &March, s: f64, lit: bool) -> Sample {
-        self.statistics.media_samples += 1;
+    /// What media do over a unit at distance `s` of a march; lamps count where `lit`. What is `known` needs not be
+    /// found.
+    pub(super) fn media_sample(
+        &mut self,
+        march: &March,
+        s: f64,
+        lit: bool,
+        known: Option<&Mixture>,
+    ) -> Sample {
         let point = march.stretch.ray.at(s);
-        let (mut sum, scattered) = match march.uniform {
-            Some(uniform) => (uniform, march.scattered),
-            None => mixture(&march.stretch.media, point),
+        let Mixture { mut unlit, scattered } = match (known, march.uniform) {
+            (Some(known), _) => *known,
+            (None, Some(unlit)) => {
+                self.statistics.media_samples += 1;
+                Mixture { unlit, scattered: march.scattered }
+            }
+            (None, None) => {
+                self.statistics.media_samples += 1;
+                mixture(&march.stretch.media, point)
+            }
         };
         if lit && march.scatters && scattered != Rgb::ZERO {
-            sum.source += scattered * self.lamps(march, point, s);
+            unlit.source += scattered * self.lamps(march, point, s);
         }
-        sum
+        unlit
     }
 
-    /// The optical depth of a unit at distance `s` of a march.
-    pub(super) fn media_depth(&mut self, march: &March, s: f64) -> Rgb {
-        self.statistics.media_samples += 1;
-        let point = march.stretch.ray.at(s);
-        march.stretch.media.iter().map(|media| media.density.at(point) * media.extinction).sum()
+    /// What media do over a unit at one to four places of an interval.
+    pub(super) fn media_mixtures(&mut self, march: &March, interval: &Interval, places: &[f64]) -> Mixtures {
+        self.statistics.media_samples += places.len() as u64;
+        if let [place] = *places {
+            return Mixtures::all(mixture(&march.stretch.media, march.stretch.ray.at(interval.at(place))));
+        }
+        let mut sums = Mixtures { source: FourRgb::ZERO, depth: FourRgb::ZERO, scattered: FourRgb::ZERO };
+        let point = points(march, interval, places);
+        for media in &march.stretch.media {
+            let density = media.density.four(&point);
+            sums.source.add(&density, media.emission);
+            sums.depth.add(&density, media.extinction);
+            if march.scatters {
+                sums.scattered.add(&density, media.scattering);
+            }
+        }
+        sums
+    }
+
+    /// The optical depths of a unit at one to four places of an interval.
+    pub(super) fn media_depths(&mut self, march: &March, interval: &Interval, places: &[f64]) -> FourRgb {
+        self.statistics.media_samples += places.len() as u64;
+        if let [place] = *places {
+            let point = march.stretch.ray.at(interval.at(place));
+            let media = &march.stretch.media;
+            return FourRgb::all(media.iter().map(|media| media.density.at(point) * media.extinction).sum());
+        }
+        let mut sums = FourRgb::ZERO;
+        let point = points(march, interval, places);
+        for media in &march.stretch.media {
+            if media.dims() {
+                sums.add(&media.density.four(&point), media.extinction);
+            }
+        }
+        sums
     }
 }

@@ -1,10 +1,12 @@
 //! Methods 1 and 2: a number of samples at random or in equal parts, then more while they vary
 //! (docs/spec/atmosphere-gi.md 2.7).
 
+use std::ops::Range;
+
 use super::intervals::Interval;
-use super::sample::Sample;
+use super::sample::{Mixture, Sample};
 use super::{March, transmittance};
-use crate::math::Rgb;
+use crate::math::{Lanes, Rgb};
 use crate::render::trace::Tracer;
 use crate::world::media::{Extra, Method};
 
@@ -17,18 +19,29 @@ impl Tracer<'_> {
         extra: &Extra,
         even: bool,
     ) -> Sample {
+        // Where lamps may take random numbers between those of places, samples are taken one after the other.
+        let lamps = interval.lit && march.scatters;
+        let in_fours = march.uniform.is_none() && (!lamps || even && march.rule.jitter == 0.0);
         let (mut sum, mut squares) = (Sample::NOTHING, Rgb::ZERO);
-        let mut add = |this: &mut Self, place: f64| {
-            let sample = this.dimmed_sample(march, interval, place);
+        let mut add = |this: &mut Self, place: f64, known: Option<&Mixture>| {
+            let sample = this.dimmed_sample(march, interval, place, known);
             sum = sum + sample;
             squares += sample.source * sample.source;
             (sum, squares)
         };
         let mut count = march.rule.min_samples;
         let mut sums = (Sample::NOTHING, Rgb::ZERO);
-        for index in 0..count {
-            let place = self.stratum(march, index, even);
-            sums = add(self, place);
+        for first in (0..count).step_by(if in_fours { Lanes::COUNT } else { 1 }) {
+            if !in_fours {
+                let place = self.stratum(march, first, even);
+                sums = add(self, place, None);
+                continue;
+            }
+            let (places, taken) = self.strata(march, first..count, even);
+            let known = self.media_mixtures(march, interval, &places[..taken]);
+            for (lane, place) in places[..taken].iter().enumerate() {
+                sums = add(self, *place, Some(&known.get(lane)));
+            }
         }
         while let Some(&enough) = extra.thresholds.get(count as usize - 1) {
             let mean = sums.0.source / count as f32;
@@ -37,7 +50,7 @@ impl Tracer<'_> {
                 break;
             }
             let place = self.random.next();
-            sums = add(self, place);
+            sums = add(self, place, None);
             count += 1;
         }
         sums.0 * (count as f32).recip()
@@ -48,11 +61,24 @@ impl Tracer<'_> {
         let count = march.rule.min_samples;
         let even = matches!(march.rule.method, Method::Even(_));
         let mut sum = Rgb::ZERO;
-        for index in 0..count {
-            let place = self.stratum(march, index, even);
-            sum += self.media_depth(march, interval.start + place * interval.length);
+        for first in (0..count).step_by(Lanes::COUNT) {
+            let (places, taken) = self.strata(march, first..count, even);
+            let depths = self.media_depths(march, interval, &places[..taken]);
+            for lane in 0..taken {
+                sum += depths.get(lane);
+            }
         }
         sum * (interval.length as f32 / count as f32)
+    }
+
+    /// The places of the first four of the samples with these numbers, and how many there are.
+    fn strata(&mut self, march: &March, indices: Range<u32>, even: bool) -> ([f64; Lanes::COUNT], usize) {
+        let (mut places, mut taken) = ([0.0; Lanes::COUNT], 0);
+        for (place, index) in places.iter_mut().zip(indices) {
+            *place = self.stratum(march, index, even);
+            taken += 1;
+        }
+        (places, taken)
     }
 
     /// The place of a sample, in parts of the interval.
@@ -66,8 +92,14 @@ impl Tracer<'_> {
     }
 
     /// A sample of the whole interval, its light dimmed as if the interval were alike up to there.
-    fn dimmed_sample(&mut self, march: &March, interval: &Interval, place: f64) -> Sample {
-        let sample = self.media_sample(march, interval.start + place * interval.length, interval.lit);
+    fn dimmed_sample(
+        &mut self,
+        march: &March,
+        interval: &Interval,
+        place: f64,
+        known: Option<&Mixture>,
+    ) -> Sample {
+        let sample = self.media_sample(march, interval.at(place), interval.lit, known);
         let sample = sample.scaled(interval.length);
         Sample { source: sample.source * transmittance(sample.depth * place as f32), ..sample }
     }

@@ -4,7 +4,7 @@
 use crate::math::{DVec3, Lanes};
 
 #[inline(always)]
-fn fall(distance: f64) -> f64 {
+pub(super) fn fall(distance: f64) -> f64 {
     if distance < 0.0 {
         1.0
     } else if distance > 1.0 {
@@ -31,6 +31,12 @@ pub(super) fn cylindrical(p: DVec3) -> f64 {
     fall((p.x * p.x + p.z * p.z).sqrt())
 }
 
+/// [`cylindrical`] at four points.
+#[inline(always)]
+pub(super) fn cylindrical_at_four([x, _, z]: &[Lanes; 3]) -> Lanes {
+    (*x * *x + *z * *z).sqrt().map(fall)
+}
+
 /// Falls away from the x-z plane.
 pub(super) fn planar(p: DVec3) -> f64 {
     fall(p.y.abs())
@@ -39,4 +45,10 @@ pub(super) fn planar(p: DVec3) -> f64 {
 /// Falls away from the origin.
 pub(super) fn spherical(p: DVec3) -> f64 {
     fall((p.x * p.x + p.y * p.y + p.z * p.z).sqrt())
+}
+
+/// [`spherical`] at four points.
+#[inline(always)]
+pub(super) fn spherical_at_four(point: &[Lanes; 3]) -> Lanes {
+    Lanes::dot(point, point).sqrt().map(fall)
 }

@@ -8,10 +8,33 @@ use crate::math::{Lanes, tally};
 use crate::world::sample::{Samples, one_by_one};
 
 impl Pattern {
+    /// The finished values at four samples.
+    pub(super) fn values(&self, samples: &Samples) -> Lanes {
+        let steps = &self.warps;
+        let (raw, point) = widest(
+            #[inline(always)]
+            || {
+                let point = steps.four_steps(samples.point);
+                (self.formula.in_lanes(&point), point)
+            },
+        );
+        tally::patterns(Lanes::COUNT);
+        self.finish_four(raw.unwrap_or_else(|| self.formula.four(&samples.moved(point))))
+    }
+
     /// [`Pattern::value_at`] of four points, which have gone through `warps` already.
     pub fn values_at(&self, point: &[Lanes; 3], samples: &Samples) -> Lanes {
+        let raw = widest(
+            #[inline(always)]
+            || self.formula.in_lanes(point),
+        );
         tally::patterns(Lanes::COUNT);
-        let raw = self.formula.four(&samples.moved(*point));
+        self.finish_four(raw.unwrap_or_else(|| self.formula.four(&samples.moved(*point))))
+    }
+
+    /// Frequency, phase and wave of four values.
+    #[inline]
+    fn finish_four(&self, raw: Lanes) -> Lanes {
         let v = if self.frequency == 0.0 { raw } else { raw * self.frequency + self.phase };
         let within_period = v.bits(|v| (0.0..PERIOD).contains(&v)) == 0b1111;
         if within_period && self.wave == Wave::Ramp { v } else { one_by_one(|lane| self.finish(raw.0[lane])) }
@@ -19,22 +42,14 @@ impl Pattern {
 }
 
 impl Formula {
-    /// [`Formula::raw`] at four points.
+    /// [`Formula::raw`] at four points of those that aren't found [in lanes](Self::in_lanes).
     fn four(&self, samples: &Samples) -> Lanes {
         match self {
             Self::Function(function) => function.four(samples).map(fold),
             Self::Pigment(pigment) => pigment.four(samples),
             Self::Crackle(crackle) => crackle.four(&samples.point),
             Self::Wrinkles(generator) => noise::wrinkles_at_four(*generator, &samples.point),
-            _ => {
-                let in_lanes = widest(
-                    #[inline(always)]
-                    || self.in_lanes(&samples.point),
-                );
-                in_lanes.unwrap_or_else(|| {
-                    one_by_one(|lane| self.raw(samples.point_of(lane), samples.surface(lane)))
-                })
-            }
+            _ => one_by_one(|lane| self.raw(samples.point_of(lane), samples.surface(lane))),
         }
     }
 
@@ -46,10 +61,13 @@ impl Formula {
             Self::Agate(agate) => agate.four(point),
             Self::Boxed => falloff::boxed_at_four(point),
             Self::Bozo(generator) | Self::Bumps(generator) => noise_at_four(*generator, x, y, z),
+            Self::Cylindrical => falloff::cylindrical_at_four(point),
             Self::Gradient(direction) => (x * direction.x + y * direction.y + z * direction.z).map(fold),
             Self::Dents(generator) => noise::dents_at_four(*generator, point),
             Self::Granite(generator) => noise::granite_at_four(*generator, point),
             Self::Marble(marble) => marble.four(point),
+            Self::Planar => y.abs().map(falloff::fall),
+            Self::Spherical => falloff::spherical_at_four(point),
             _ => return None,
         })
     }
@@ -73,12 +91,15 @@ mod tests {
             Formula::Boxed,
             Formula::Bozo(2),
             Formula::Checker,
+            Formula::Cylindrical,
             Formula::Dents(1),
             Formula::Gradient(DVec3::new(0.6, 0.0, -0.8)),
             Formula::Granite(1),
             Formula::Granite(2),
             Formula::Marble(Marble { turbulence: None }),
             Formula::Marble(Marble { turbulence: Some(turbulence) }),
+            Formula::Planar,
+            Formula::Spherical,
             Formula::Wrinkles(1),
             Formula::Wrinkles(3),
         ];

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::blend_map::{BlendMap, Pick};
 use super::pigment::{CLEAR, Pigment, blend, blended};
-use crate::math::color::FourColors;
+use crate::math::color::{FourColors, FourRgb};
 use crate::math::wide::widest;
 use crate::math::{Lanes, Rgbft};
 use crate::world::sample::{Field, Samples};
@@ -26,6 +26,21 @@ impl Pigment {
                     colors.set(lane, self.color(&samples.get(lane)));
                 }
                 colors
+            }
+        }
+    }
+
+    /// The colours as a media density takes them.
+    pub fn densities(&self, samples: &Samples) -> FourRgb {
+        match self {
+            Self::Colors(pattern, map) => lights_looked_up(map, pattern.four(samples)),
+            Self::Pigments(pattern, map) => {
+                let inner = samples.moved(pattern.warps.four(&samples.point));
+                densities_mapped(map, pattern.values_at(&inner.point, samples), &inner)
+            }
+            _ => {
+                let [r, g, b, ..] = self.colors_or_clear(samples).components;
+                FourRgb([r, g, b])
             }
         }
     }
@@ -78,6 +93,33 @@ fn looked_up(map: &BlendMap<Rgbft>, values: Lanes) -> FourColors {
         colors.set(lane, Some(color));
     }
     colors
+}
+
+/// [`looked_up`] without what shines through.
+fn lights_looked_up(map: &BlendMap<Rgbft>, values: Lanes) -> FourRgb {
+    widest(
+        #[inline(always)]
+        || {
+            let mut lights = FourRgb::ZERO;
+            for (lane, &value) in values.0.iter().enumerate() {
+                let light = match map.pick(value) {
+                    Pick::One(color) => color.rgb.to_array(),
+                    Pick::Two { previous, current, t } => {
+                        let (mut blended, current) = (previous.rgb.to_array(), current.rgb.to_array());
+                        for component in 0..3 {
+                            let step = current[component] - blended[component];
+                            blended[component] += (t * f64::from(step)) as f32;
+                        }
+                        blended
+                    }
+                };
+                for (component, light) in light.into_iter().enumerate() {
+                    lights.0[component][lane] = light;
+                }
+            }
+            lights
+        },
+    )
 }
 
 /// The colours of the pigments that a map has at four values. Pigments are evaluated side by side where they show at
@@ -134,6 +176,34 @@ fn mapped(map: &BlendMap<Arc<Pigment>>, values: Lanes, inner: &Samples) -> FourC
     colors
 }
 
+/// [`mapped`] as media densities take it.
+fn densities_mapped(map: &BlendMap<Arc<Pigment>>, values: Lanes, inner: &Samples) -> FourRgb {
+    let picks = picks(map, values);
+    if let Pick::One(pigment) = picks[0]
+        && picks[1..].iter().all(|pick| same_entries(pick, &picks[0]))
+    {
+        return pigment.densities(inner);
+    }
+    if let Some((previous, current, shares)) = same_two(&picks) {
+        let mut lights = previous.densities(inner);
+        blend_components(&mut lights.0, &current.densities(inner).0, shares);
+        return lights;
+    }
+    let mut lights = FourRgb::ZERO;
+    for (lane, pick) in picks.iter().enumerate() {
+        let sample = &inner.get(lane);
+        let light = match pick {
+            Pick::One(pigment) => pigment.density(sample),
+            Pick::Two { previous, current, t } => {
+                let [previous, current] = [previous, current].map(|pigment| pigment.density(sample));
+                blend(Rgbft::opaque(previous), Rgbft::opaque(current), *t).rgb
+            }
+        };
+        lights.set(lane, light);
+    }
+    lights
+}
+
 fn same_entries(one: &Pick<&Arc<Pigment>>, other: &Pick<&Arc<Pigment>>) -> bool {
     match (one, other) {
         (Pick::One(a), Pick::One(b)) => std::ptr::eq(*a, *b),
@@ -148,12 +218,23 @@ fn blend_four(previous: &FourColors, current: &FourColors, shares: Lanes) -> Fou
         #[inline(always)]
         || {
             let mut blended = *previous;
-            for (component, current) in blended.components.iter_mut().zip(&current.components) {
-                for ((component, current), share) in component.iter_mut().zip(current).zip(&shares.0) {
-                    *component += (share * f64::from(current - *component)) as f32;
-                }
-            }
+            blend_components(&mut blended.components, &current.components, shares);
             blended
         },
     )
+}
+
+/// Blends component by component. Loops: what is given to adapters is not compiled together with what is around it.
+#[inline(always)]
+fn blend_components<const N: usize>(
+    blended: &mut [[f32; 4]; N],
+    current: &[[f32; 4]; N],
+    Lanes(shares): Lanes,
+) {
+    for component in 0..N {
+        for lane in 0..Lanes::COUNT {
+            let step = current[component][lane] - blended[component][lane];
+            blended[component][lane] += (shares[lane] * f64::from(step)) as f32;
+        }
+    }
 }

@@ -193,12 +193,15 @@ impl Lattice {
         sum
     }
 
-    /// Vector noise at four points, one after the other.
+    /// Vector noise at four points, one after the other. Where there are less than four the last stands for several.
     #[target_feature(enable = "avx2")]
     fn vectors_anywhere(&self, [x, y, z]: [__m256d; 3]) -> [__m256d; 3] {
         let [a, b, c, d] = transposed([x, y, z, _mm256_setzero_pd()]);
-        let vectors = [self.vector(a), self.vector(b), self.vector(c), self.vector(d)];
-        let [x, y, z, _] = transposed(vectors);
+        let first = self.vector(a);
+        let second = if is_same(a, b) { first } else { self.vector(b) };
+        let third = if is_same(b, c) { second } else { self.vector(c) };
+        let fourth = if is_same(c, d) { third } else { self.vector(d) };
+        let [x, y, z, _] = transposed([first, second, third, fourth]);
         [x, y, z]
     }
 }
@@ -230,6 +233,14 @@ fn shared_cell(at: &[Axis; 3]) -> Option<[u32; 3]> {
     }
     let first = |axis: &Axis| _mm_cvtsi128_si32(axis.planes) as u32;
     (_mm_testz_si128(apart, apart) == 1).then(|| [first(&at[0]), first(&at[1]), first(&at[2])])
+}
+
+/// Whether all bits are the same.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn is_same(one: __m256d, other: __m256d) -> bool {
+    let apart = _mm256_castpd_si256(_mm256_xor_pd(one, other));
+    _mm256_testz_si256(apart, apart) == 1
 }
 
 /// Whether all lanes are 0.
