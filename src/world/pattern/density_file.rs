@@ -35,10 +35,11 @@ impl DensityFile {
         if !(inside(p.x) && inside(p.y) && inside(p.z)) {
             return 0.0;
         }
-        let at = p * DVec3::from_array(self.size.map(|s| s as f64));
-        let low = at.floor();
-        let [i, j, k] = low.to_array().map(|c| c as usize);
-        let part = at - low;
+        let [x, y, z] = self.size;
+        let at = p * DVec3::new(x as f64, y as f64, z as f64);
+        // Numbers above zero: what is before the point is the next whole number below.
+        let [i, j, k] = [at.x as usize, at.y as usize, at.z as usize];
+        let part = at - DVec3::new(i as f64, j as f64, k as f64);
         match self.interpolation {
             Interpolation::Nearest => self.voxel(i, j, k),
             Interpolation::Trilinear => self.linear([i, j, k], part),
@@ -49,17 +50,27 @@ impl DensityFile {
     /// A voxel; the block repeats.
     fn voxel(&self, i: usize, j: usize, k: usize) -> f64 {
         let [x, y, z] = self.size;
-        let at = ((k % z) * y + j % y) * x + i % x;
+        self.inner_voxel(repeated(i, x), repeated(j, y), repeated(k, z))
+    }
+
+    /// A voxel of the block itself.
+    #[inline]
+    fn inner_voxel(&self, i: usize, j: usize, k: usize) -> f64 {
+        let [x, y, _] = self.size;
+        let at = (k * y + j) * x + i;
         let bytes = &self.voxels[at * self.width..][..self.width];
         let number = bytes.iter().fold(0_u32, |number, byte| number << 8 | u32::from(*byte));
         f64::from(number) / f64::from(u32::MAX >> (32 - 8 * self.width))
     }
 
     fn linear(&self, [i, j, k]: [usize; 3], part: DVec3) -> f64 {
+        let [x, y, z] = self.size;
+        let [i, j, k] = [repeated(i, x), repeated(j, y), repeated(k, z)];
+        let (right, above, behind) = (repeated(i + 1, x), repeated(j + 1, y), repeated(k + 1, z));
         let mix = |a: f64, b: f64, t: f64| a * (1.0 - t) + b * t;
-        let row = |j, k| mix(self.voxel(i, j, k), self.voxel(i + 1, j, k), part.x);
-        let layer = |k| mix(row(j, k), row(j + 1, k), part.y);
-        mix(layer(k), layer(k + 1), part.z)
+        let row = |j, k| mix(self.inner_voxel(i, j, k), self.inner_voxel(right, j, k), part.x);
+        let layer = |k| mix(row(j, k), row(above, k), part.y);
+        mix(layer(k), layer(behind), part.z)
     }
 
     /// In single precision; along z first, then y, then x.
@@ -71,6 +82,12 @@ impl DensityFile {
         let row = |i| spline(four(j).map(|j| column(i, j)), y);
         f64::from(spline(four(i).map(row), x)).max(0.0)
     }
+}
+
+/// The remainder of a number that mostly is less anyway: dividing takes long.
+#[inline]
+fn repeated(number: usize, size: usize) -> usize {
+    if number < size { number } else { number % size }
 }
 
 fn spline([a, b, c, d]: [f32; 4], t: f32) -> f32 {
