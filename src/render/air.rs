@@ -57,12 +57,20 @@ impl Tracer<'_> {
         if !world.needs.media || !self.quality.atmosphere || inside.is_empty() {
             return Rgb::ONE;
         }
-        let all = || inside.numbers().flat_map(|number| &world.interiors[number as usize].media);
-        if !all().any(|media| media.dims()) {
+        // A loop, once: this is asked at every surface on the way to every lamp.
+        let (mut dims, mut even, mut depth) = (false, true, Rgb::ZERO);
+        for number in inside.numbers() {
+            for media in &world.interiors[number as usize].media {
+                dims |= media.dims();
+                even &= media.density.is_uniform();
+                depth += media.density.uniform * media.extinction;
+            }
+        }
+        if !dims {
             return Rgb::ONE;
         }
-        if all().all(|media| media.density.is_uniform()) {
-            return transmittance(depth_of_a_unit(all()) * length as f32);
+        if even {
+            return transmittance(depth * length as f32);
         }
         let media = mix(world, inside);
         self.media_shadow(&Stretch { ray: *ray, length, inside, media, lights: None })

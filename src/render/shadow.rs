@@ -283,8 +283,17 @@ impl Tracer<'_> {
             }
             filter += through * weight;
         };
-        match textures::layers(world, leaf, &surface) {
-            Some(layers) => add(1.0, layers, &mut textures::sample(world, ray, hit, &surface)),
+        // Only normals have to know the way there.
+        let placed = textures::placed_layers(world, leaf, &surface)
+            .filter(|(_, place)| place.is_none() || interior.caustics == 0.0);
+        match placed {
+            Some((layers, place)) => {
+                let mut sample = textures::sample(world, ray, hit, &surface);
+                if let Some(place) = place {
+                    sample.point = place.point(sample.point);
+                }
+                add(1.0, layers, &mut sample);
+            }
             None => textures::resolve(world, ray, hit, &surface, &mut add),
         }
         filter * fading

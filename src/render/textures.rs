@@ -8,6 +8,7 @@ use crate::world::object::LeafFlags;
 use crate::world::sample::Sample;
 use crate::world::shape::{OWN_TEXTURE, Shape};
 use crate::world::texture::Layer;
+use crate::world::warp::Warps;
 use crate::world::{Intersection, Leaf, Member, Ray, World};
 
 /// Textures that show together, by number, with their shares.
@@ -18,6 +19,20 @@ type Shares = SmallVec<[(u32, f32); 4]>;
 pub(super) fn layers<'w>(world: &'w World, leaf: &Leaf, surface: &Intersection) -> Option<&'w [Layer]> {
     let number = whole(leaf, surface).filter(|_| leaf.own_textures().is_empty())?;
     world.textures[number as usize].layers_in_place().filter(|_| world.settings.adc_bailout <= 1.0)
+}
+
+/// The layers that alone show at a hit of a leaf, where it has one texture without patterns, and the way to the space
+/// that they are in, if that is not the world.
+#[inline]
+pub(super) fn placed_layers<'w>(
+    world: &'w World,
+    leaf: &Leaf,
+    surface: &Intersection,
+) -> Option<(&'w [Layer], Option<&'w Warps>)> {
+    let number = whole(leaf, surface).filter(|_| leaf.own_textures().is_empty())?;
+    let texture = &world.textures[number as usize];
+    let layers = texture.only_layers().filter(|_| world.settings.adc_bailout <= 1.0)?;
+    Some((layers, texture.placement()))
 }
 
 /// What textures may know of a hit of `ray`.

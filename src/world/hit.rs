@@ -362,12 +362,24 @@ impl Geometry {
     /// The nearest first, coincident ones once.
     #[inline]
     fn sort_occluders(&self, ray: &Ray, through: &mut Vec<Hit>) {
-        if through.len() > 1 {
-            through.sort_unstable_by(|a, b| {
-                a.t.total_cmp(&b.t).then(a.object.cmp(&b.object)).then(b.leaf.cmp(&a.leaf))
-            });
-            through
-                .dedup_by(|next, kept| self.parts.coincide(ray, kept.leaf, &kept.crossing, next.t - kept.t));
+        let order =
+            |a: &Hit, b: &Hit| a.t.total_cmp(&b.t).then(a.object.cmp(&b.object)).then(b.leaf.cmp(&a.leaf));
+        let coincide =
+            |next: &Hit, kept: &Hit| self.parts.coincide(ray, kept.leaf, &kept.crossing, next.t - kept.t);
+        match &mut through[..] {
+            [] | [_] => {}
+            [first, second] => {
+                if order(second, first).is_lt() {
+                    std::mem::swap(first, second);
+                }
+                if coincide(second, first) {
+                    through.pop();
+                }
+            }
+            _ => {
+                through.sort_unstable_by(order);
+                through.dedup_by(|next, kept| coincide(next, kept));
+            }
         }
     }
 
@@ -394,9 +406,12 @@ impl Geometry {
                 && !leaf.flags.contains(LeafFlags::OPAQUE)
                 && let Some(stretch) = leaf.primitive.convex(&leaf.asked(ray))
             {
-                let hit = |crossing: Crossing| Hit { t: crossing.t, crossing, leaf: lone, object: number };
-                let ends = stretch.map_or([None; 2], |stretch| stretch.ends(range));
-                through.extend(ends.into_iter().flatten().map(hit));
+                // Loops: what is given to adapters is not compiled together with what is around it.
+                if let Some(stretch) = stretch {
+                    for crossing in stretch.ends(range).into_iter().flatten() {
+                        through.push(Hit { t: crossing.t, crossing, leaf: lone, object: number });
+                    }
+                }
                 return false;
             }
             if !leaf.is_limited() && leaf.primitive.is_flat() {

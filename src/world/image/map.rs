@@ -274,7 +274,13 @@ where
 /// `a % n`, which most often is `a`: dividing takes long.
 #[inline]
 fn rest(a: f64, n: f64) -> f64 {
-    if a.abs() < n { a } else { a % n }
+    // A call: a division that may be done without harm is done whether it is needed or not.
+    #[cold]
+    #[inline(never)]
+    fn divided(a: f64, n: f64) -> f64 {
+        a % n
+    }
+    if a.abs() < n { a } else { divided(a, n) }
 }
 
 /// `a` modulo `n`, in 0 … n; never `n` itself.
