@@ -57,7 +57,8 @@ impl Eye<'_> {
                 let four = Rays::of(&four);
                 self.world.geometry.hits(&within, &four, some.len(), path.kind, 0.0, &mut hits);
                 let (path, hits) = ((&mut path, &mut room), &hits[..some.len()]);
-                self.four_seen(tracer, path, &four, &[place; Lanes::COUNT], hits, &mut *show);
+                let given = |lane| (four.ray(lane), place, &hits[lane]);
+                self.four_seen(tracer, path, hits.len(), given, &mut *show);
             }
         }
         tracer.within = within;

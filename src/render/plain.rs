@@ -197,7 +197,7 @@ impl<'w> Tracer<'w> {
     ) -> [Option<Rgb>; N] {
         let world = self.world;
         let mut met = [const { None }; N];
-        let mut rooms: [Numbers; N] = std::array::from_fn(|_| Numbers::new());
+        let mut rooms = [const { Numbers::new() }; N];
         let mut lamps = [&[][..]; N];
         let (mut most, mut unpainted) = (0, false);
         for (lane, room) in rooms.iter_mut().enumerate() {

@@ -12,6 +12,7 @@ pub(super) enum Random {
 }
 
 impl Default for Random {
+    #[inline]
     fn default() -> Self {
         Self::Running(0)
     }

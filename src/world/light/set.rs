@@ -11,8 +11,17 @@ use crate::world::Ray;
 /// So many cones are worth the room they take side by side.
 const MANY: usize = 4;
 
-/// Numbers of lights.
-pub type Numbers = SmallVec<[u32; 16]>;
+/// Room for numbers of lights. Nothing is made ready until it is needed: few sets need it, and every hit brings some.
+#[derive(Debug, Default)]
+pub struct Numbers(Option<SmallVec<[u32; 16]>>);
+
+impl Numbers {
+    /// Room that was not in use.
+    #[inline]
+    pub const fn new() -> Self {
+        Self(None)
+    }
+}
 
 /// The lights that reach an object.
 #[derive(Clone, Debug, Default)]
@@ -68,6 +77,7 @@ impl LightSet {
 
     /// All but those whose bits are set.
     fn but<'a>(&self, room: &'a mut Numbers, misses: impl Fn(&Cones) -> u32) -> &'a [u32] {
+        let room = room.0.get_or_insert_default();
         room.clear();
         for (cones, numbers) in self.cones.iter().zip(self.numbers.chunks(Lanes::COUNT)) {
             let missing = misses(cones);
