@@ -21,6 +21,9 @@ const FEW: usize = 8;
 /// Below this depth parts are halved by count, which bounds the depth of the tree.
 const DEPTH_OF_HEURISTIC: u32 = 24;
 
+/// Where to cut more items is asked of about so many of them.
+const ASKED: usize = 1024;
+
 /// Parts with more items are built beside each other.
 const MANY: usize = 2048;
 
@@ -76,11 +79,12 @@ impl Around {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// Half its surface. Boxes may be so small that single precision has no number for it.
+    /// Half its surface, `scale` times as large along each axis: boxes may be so small that single precision has no
+    /// number for it.
     #[inline(always)]
-    fn half_area(self) -> f64 {
-        let size = (self.high - self.low).as_dvec3();
-        size.x * size.y + size.y * size.z + size.z * size.x
+    fn half_area(self, scale: f32) -> f32 {
+        let size = (self.high - self.low) * scale;
+        size.dot(Vec3A::new(size.y, size.z, size.x))
     }
 }
 
@@ -93,11 +97,41 @@ pub(super) enum Child {
     Run { first: u32, length: u32 },
 }
 
-/// A part of the items: where it starts among all, and its box.
+/// What is around items, and around their places.
+#[derive(Clone, Copy)]
+struct Extent {
+    bounds: Around,
+    places: Around,
+}
+
+impl Extent {
+    const NOTHING: Self = Self { bounds: Around::NOTHING, places: Around::NOTHING };
+
+    fn of(items: &[Item]) -> Self {
+        items.iter().fold(Self::NOTHING, Self::with)
+    }
+
+    /// What makes its longest side 1; finite.
+    #[inline(always)]
+    fn scale(&self) -> f32 {
+        (self.bounds.high - self.bounds.low).max_element().max(f32::MIN_POSITIVE).recip()
+    }
+
+    #[inline(always)]
+    fn with(self, item: &Item) -> Self {
+        let place = item.place();
+        Self {
+            bounds: self.bounds.union(item.around()),
+            places: self.places.union(Around { low: place, high: place }),
+        }
+    }
+}
+
+/// A part of the items: where it starts among all, and how far it extends.
 struct Part<'a> {
     first: usize,
     items: &'a mut [Item],
-    bounds: Around,
+    extent: Extent,
 }
 
 /// How a tree is to be.
@@ -115,10 +149,10 @@ pub(super) fn tree<F>(items: &mut [Item], longest: usize, node: &F) -> Vec<Node>
 where
     F: Fn(&[(Around, Child)]) -> Node + Sync,
 {
-    let bounds = around(items);
+    let extent = Extent::of(items);
     let whole = if longest == 1 && items.len() > VERY_MANY { WIDTH } else { longest };
     let mut nodes = Vec::with_capacity(items.len() / longest / FULL + 1);
-    grow(Part { first: 0, items, bounds }, [0; 2], Plan { longest, whole }, node, &mut nodes);
+    grow(Part { first: 0, items, extent }, [0; 2], Plan { longest, whole }, node, &mut nodes);
     nodes
 }
 
@@ -137,7 +171,7 @@ where
     nodes.push(Node::EMPTY);
     let subtrees: Vec<(Around, Result<Child, Vec<Node>>)> = if many {
         let grown = |part: Part| {
-            let bounds = part.bounds;
+            let bounds = part.extent.bounds;
             let child = leaf(&part, plan).ok_or_else(|| {
                 let mut below = Vec::with_capacity(part.items.len() / plan.longest / FULL + 1);
                 grow(part, [depth + 1, beside], plan, node, &mut below);
@@ -148,7 +182,7 @@ where
         parts.into_vec().into_par_iter().map(grown).collect()
     } else {
         let grown = |part: Part| {
-            let bounds = part.bounds;
+            let bounds = part.extent.bounds;
             let child = leaf(&part, plan);
             (
                 bounds,
@@ -180,62 +214,50 @@ fn parts(part: Part, depth: u32, plan: Plan) -> SmallVec<[Part; WIDTH]> {
     let mut parts = SmallVec::new();
     if plan.longest == 1 && part.items.len() <= WIDTH {
         for (place, items) in part.items.chunks_mut(1).enumerate() {
-            parts.push(Part { first: part.first + place, bounds: items[0].around(), items });
+            parts.push(Part { first: part.first + place, extent: Extent::of(items), items });
         }
         return parts;
     }
+    let scale = part.extent.scale();
     parts.push(part);
     while parts.len() < WIDTH {
-        let largest = (0..parts.len())
-            .filter(|&i| parts[i].items.len() > plan.whole)
-            .max_by(|&a, &b| parts[a].bounds.half_area().total_cmp(&parts[b].bounds.half_area()));
+        let largest = (0..parts.len()).filter(|&i| parts[i].items.len() > plan.whole).max_by(|&a, &b| {
+            let area = |i: usize| parts[i].extent.bounds.half_area(scale);
+            area(a).total_cmp(&area(b))
+        });
         let Some(largest) = largest else {
             break;
         };
-        let Part { first, items, .. } = parts.swap_remove(largest);
-        let [left, right] = split(items, depth, plan);
-        let middle = first + left.0.len();
-        parts.push(Part { first, bounds: left.1, items: left.0 });
-        parts.push(Part { first: middle, bounds: right.1, items: right.0 });
+        let halves = split(parts.swap_remove(largest), depth, plan);
+        parts.extend(halves);
     }
     parts
 }
 
-fn around(items: &[Item]) -> Around {
-    items.iter().fold(Around::NOTHING, |all, item| all.union(item.around()))
-}
-
-/// Two parts, neither empty, and the boxes around them.
-fn split(items: &mut [Item], depth: u32, plan: Plan) -> [(&mut [Item], Around); 2] {
-    let places = places(items);
+/// Two parts, neither empty.
+fn split(Part { first, items, extent }: Part, depth: u32, plan: Plan) -> [Part; 2] {
     let packed = plan.whole > plan.longest && items.len() <= PACKED;
     let best = match items.len() {
         _ if depth >= DEPTH_OF_HEURISTIC || packed => None,
-        ..=FEW => best_cut::<FEW>(items, places),
-        _ => best_cut::<BINS>(items, places),
+        ..=FEW => best_cut::<FEW>(items, extent),
+        _ => best_cut::<BINS>(items, extent),
     };
-    if let Some(cut) = best {
-        let middle = partition(items, |item| cut.bin(item.place()) < cut.bin);
-        let (left, right) = items.split_at_mut(middle);
-        let [left_bounds, right_bounds] = cut.sides;
-        return [(left, left_bounds), (right, right_bounds)];
-    }
-    let axis = (places.high - places.low).max_position();
-    let half = if packed { (items.len() / 2).next_multiple_of(WIDTH) } else { items.len() / 2 };
-    items.select_nth_unstable_by(half, |a, b| {
-        a.place()[axis].total_cmp(&b.place()[axis]).then(a.number.cmp(&b.number))
-    });
-    let (left, right) = items.split_at_mut(half);
-    let sides = [around(left), around(right)];
-    [(left, sides[0]), (right, sides[1])]
-}
-
-/// What is around the places of items.
-fn places(items: &[Item]) -> Around {
-    items.iter().fold(Around::NOTHING, |all, item| {
-        let place = item.place();
-        all.union(Around { low: place, high: place })
-    })
+    let (middle, extents) = match best {
+        Some(cut) => partition(items, |item| cut.is_before(item)),
+        None => {
+            let axis = (extent.places.high - extent.places.low).max_position();
+            let half = if packed { (items.len() / 2).next_multiple_of(WIDTH) } else { items.len() / 2 };
+            items.select_nth_unstable_by(half, |a, b| {
+                a.place()[axis].total_cmp(&b.place()[axis]).then(a.number.cmp(&b.number))
+            });
+            (half, [Extent::of(&items[..half]), Extent::of(&items[half..])])
+        }
+    };
+    let (left, right) = items.split_at_mut(middle);
+    [
+        Part { first, items: left, extent: extents[0] },
+        Part { first: first + middle, items: right, extent: extents[1] },
+    ]
 }
 
 /// Between which slices of which axis to cut.
@@ -244,14 +266,14 @@ struct Cut {
     axis: usize,
     slices: Slices,
     bin: usize,
-    /// What is around both sides.
-    sides: [Around; 2],
 }
 
 impl Cut {
+    /// Whether a place is in a slice before the cut, as [`Slices::of`] counts them.
     #[inline(always)]
-    fn bin(&self, place: Vec3A) -> usize {
-        self.slices.of(place)[self.axis]
+    fn is_before(&self, item: &Item) -> bool {
+        let place = item.low[self.axis] + item.high[self.axis];
+        (place - self.slices.origin[self.axis]) * self.slices.scale[self.axis] < self.bin as f32
     }
 }
 
@@ -274,15 +296,17 @@ impl Slices {
 }
 
 /// The cut with the least expected work; `None` where all places coincide.
-fn best_cut<const MOST: usize>(items: &[Item], places: Around) -> Option<Cut> {
+fn best_cut<const MOST: usize>(items: &[Item], extent: Extent) -> Option<Cut> {
     widest(
         #[inline(always)]
         || {
             let count = items.len().clamp(FEWEST_BINS, MOST);
+            let Extent { places, .. } = extent;
             let scale = count as f32 / (places.high - places.low);
+            let whole = extent.scale();
             let slices = Slices { origin: places.low, scale, last: Vec3A::splat((count - 1) as f32) };
             let mut bins = [[(0usize, Around::NOTHING); MOST]; 3];
-            for item in items {
+            for item in items.iter().step_by(items.len().div_ceil(ASKED)) {
                 let (numbers, around) = (slices.of(item.place()), item.around());
                 for axis in 0..3 {
                     let (count, bounds) = &mut bins[axis][numbers[axis] % MOST];
@@ -291,7 +315,7 @@ fn best_cut<const MOST: usize>(items: &[Item], places: Around) -> Option<Cut> {
                 }
             }
             let mut best = None;
-            let mut least = f64::INFINITY;
+            let mut least = f32::INFINITY;
             for axis in 0..3 {
                 if !scale[axis].is_finite() {
                     continue;
@@ -301,11 +325,11 @@ fn best_cut<const MOST: usize>(items: &[Item], places: Around) -> Option<Cut> {
                 let mut right = [0.0; MOST];
                 let mut all = (0, Around::NOTHING);
                 for bin in (1..count).rev() {
-                    right[bin] = cost(&mut all, bins[bin]);
+                    right[bin] = cost(&mut all, bins[bin], whole);
                 }
                 let mut all = (0, Around::NOTHING);
                 for bin in 1..count {
-                    let left = cost(&mut all, bins[bin - 1]);
+                    let left = cost(&mut all, bins[bin - 1], whole);
                     // A side without items has no cost of its own and is no cut.
                     if left > 0.0 && right[bin] > 0.0 && left + right[bin] < least {
                         least = left + right[bin];
@@ -313,32 +337,37 @@ fn best_cut<const MOST: usize>(items: &[Item], places: Around) -> Option<Cut> {
                     }
                 }
             }
-            let (axis, bin) = best?;
-            let (left, right) = bins[axis][..count].split_at(bin);
-            let sides =
-                [left, right].map(|side| side.iter().fold(Around::NOTHING, |all, bin| all.union(bin.1)));
-            Some(Cut { axis, slices, bin, sides })
+            best.map(|(axis, bin)| Cut { axis, slices, bin })
         },
     )
 }
 
-/// Adds a slice to others and answers the cost of them all: their number of items times the area around them.
+/// Adds a slice to others and answers the cost of them all: their number of items times the area around them, `scale`
+/// times as large.
 #[inline(always)]
-fn cost(all: &mut (usize, Around), (more, around): (usize, Around)) -> f64 {
+fn cost(all: &mut (usize, Around), (more, around): (usize, Around), scale: f32) -> f32 {
     all.0 += more;
     all.1 = all.1.union(around);
     // Flat boxes have no area but still cost a test.
-    if all.0 == 0 { 0.0 } else { all.0 as f64 * all.1.half_area().max(f64::MIN_POSITIVE) }
+    if all.0 == 0 { 0.0 } else { all.0 as f32 * all.1.half_area(scale).max(f32::MIN_POSITIVE) }
 }
 
-/// Moves the items that pass to the front and counts them.
-fn partition(items: &mut [Item], pass: impl Fn(&Item) -> bool) -> usize {
-    let mut front = 0;
-    for i in 0..items.len() {
-        if pass(&items[i]) {
-            items.swap(i, front);
+/// Moves the items that pass to the front; answers how many there are, and how far they and the others extend.
+fn partition(items: &mut [Item], pass: impl Fn(&Item) -> bool) -> (usize, [Extent; 2]) {
+    let (mut front, mut back) = (0, items.len());
+    let (mut passing, mut others) = (Extent::NOTHING, Extent::NOTHING);
+    loop {
+        while front < back && pass(&items[front]) {
+            passing = passing.with(&items[front]);
             front += 1;
         }
+        while front < back && !pass(&items[back - 1]) {
+            others = others.with(&items[back - 1]);
+            back -= 1;
+        }
+        if front == back {
+            return (front, [passing, others]);
+        }
+        items.swap(front, back - 1);
     }
-    front
 }
