@@ -12,7 +12,7 @@ use crate::math::{DVec2, Lanes};
 use crate::world::accel::{Pencil, Within};
 use crate::world::camera::{Straight, film, film_of_four};
 use crate::world::hit::Hit;
-use crate::world::{Ray, RayKind, Rays};
+use crate::world::{RayKind, Rays};
 
 /// So many pixels are looked at together.
 const FOUR: i32 = Lanes::COUNT as i32;
@@ -148,9 +148,9 @@ impl Eye<'_> {
         self.four_seen(
             tracer,
             (&mut path, &mut room),
-            Lanes::COUNT,
-            #[inline(always)]
-            |lane| (rays.ray(lane), places[lane], &hits[lane]),
+            &rays,
+            places,
+            &hits,
             #[inline(always)]
             |sample| {
                 samples[lane] = sample;
@@ -182,43 +182,41 @@ impl Eye<'_> {
         )
     }
 
-    /// Shows what up to four rays see, given each with its image coordinates and what it meets first; `path` is that of a
-    /// ray before.
+    /// Shows what up to four rays see of which it is known what they meet first; `path` is that of a ray before.
     #[inline]
-    pub(super) fn four_seen<'h>(
+    pub(super) fn four_seen(
         &self,
         tracer: &mut Tracer,
         (path, room): (&mut Path, &mut Room<{ Lanes::COUNT }>),
-        count: usize,
-        given: impl Fn(usize) -> (Ray, (f64, f64), &'h Option<Hit>),
+        rays: &Rays,
+        places: &[(f64, f64); Lanes::COUNT],
+        hits: &[Option<Hit>],
         mut show: impl FnMut(Sample),
     ) {
         if !tracer.calm || self.inside.is_none() {
-            for lane in 0..count {
-                let (ray, place, hit) = given(lane);
-                show(self.met(tracer, ray, place, hit));
+            for (lane, hit) in hits.iter().enumerate() {
+                show(self.met(tracer, rays.ray(lane), places[lane], hit));
             }
             return;
         }
-        tracer.statistics.camera_rays += count as u64;
+        tracer.statistics.camera_rays += hits.len() as u64;
         // Loops: closures given to methods of arrays are not compiled together with what is around them. The bundle is
         // filled where it stays: a copy of what was only just written would wait for it.
-        let mut randoms = [Random::of_sample(0.0, 0.0, self.options.seed); Lanes::COUNT];
-        for (lane, random) in randoms[..count].iter_mut().enumerate() {
-            let (_, (x, y), _) = given(lane);
+        let mut randoms = [Random::default(); Lanes::COUNT];
+        for (random, &(x, y)) in randoms.iter_mut().zip(places) {
             *random = Random::of_sample(x, y, self.options.seed);
         }
-        let (apart, met) = ([given(0).0; Lanes::COUNT], [None; Lanes::COUNT]);
+        let (apart, met) = ([rays.ray(0); Lanes::COUNT], [None; Lanes::COUNT]);
         let mut bundle = Bundle { rays: apart, hits: met, randoms: Some(&randoms) };
-        for lane in 0..count {
-            let (ray, _, hit) = given(lane);
-            (bundle.rays[lane], bundle.hits[lane]) = (ray, hit.as_ref());
+        for (lane, hit) in hits.iter().enumerate() {
+            bundle.hits[lane] = hit.as_ref();
+            bundle.rays[lane] = rays.ray(lane);
         }
         tracer.trace_bundle::<_, true>(
             path,
             &bundle,
             room,
-            count,
+            hits.len(),
             #[inline(always)]
             |seen| show(seen.sample()),
         );

@@ -108,11 +108,7 @@ impl Eye<'_> {
         let alike = empty && world.atmosphere.is_clear() && world.atmosphere.is_even();
         let sky = alike.then(|| self.lens_sample(tracer, blur, x, y, 0));
         let mut sums = Sums::NONE;
-        // Rays are made in fours, whatever the batches: of two fours it is known what they meet.
-        let mut known = 0;
-        let mut places = [[(x, y); Lanes::COUNT]; 2];
-        let mut rays = [Rays::NOWHERE; 2];
-        let mut hits = [[None; Lanes::COUNT]; 2];
+        let mut hits = [None; Lanes::COUNT];
         let nowhere = Ray::new(DVec3::ZERO, DVec3::ZERO);
         let inside = self.inside.clone().unwrap_or_default();
         let kind = RayKind::IMAGE;
@@ -131,26 +127,18 @@ impl Eye<'_> {
                     continue;
                 };
                 let (first, count) = (sums.count, Lanes::COUNT.min(end - sums.count));
-                if known < first + count {
-                    let (four, more) =
-                        (known / Lanes::COUNT % 2, Lanes::COUNT.min(blur.max_samples() - known));
-                    for (index, place) in (known..).zip(&mut places[four][..more]) {
-                        *place = shifted(index);
-                    }
-                    rays[four] = self.four_rays(blur, perspective, &places[four], known);
-                    let (rays, hits) = (&rays[four], &mut hits[four]);
-                    self.world.geometry.hits(&within, rays, more, kind, 0.0, hits);
-                    known += more;
+                let mut places = [(x, y); Lanes::COUNT];
+                for (index, place) in (first..).zip(&mut places[..count]) {
+                    *place = shifted(index);
                 }
+                let rays = self.four_rays(blur, perspective, &places, first);
+                self.world.geometry.hits(&within, &rays, count, kind, 0.0, &mut hits);
                 self.four_seen(
                     tracer,
                     (&mut path, &mut room),
-                    count,
-                    #[inline(always)]
-                    |lane| {
-                        let (four, lane) = ((first + lane) / Lanes::COUNT % 2, (first + lane) % Lanes::COUNT);
-                        (rays[four].ray(lane), places[four][lane], &hits[four][lane])
-                    },
+                    &rays,
+                    &places,
+                    &hits[..count],
                     #[inline(always)]
                     |sample| sums.add(sample),
                 );

@@ -57,8 +57,7 @@ impl Eye<'_> {
                 let four = Rays::of(&four);
                 self.world.geometry.hits(&within, &four, some.len(), path.kind, 0.0, &mut hits);
                 let (path, hits) = ((&mut path, &mut room), &hits[..some.len()]);
-                let given = |lane| (four.ray(lane), place, &hits[lane]);
-                self.four_seen(tracer, path, hits.len(), given, &mut *show);
+                self.four_seen(tracer, path, &four, &[place; Lanes::COUNT], hits, &mut *show);
             }
         }
         tracer.within = within;

@@ -19,17 +19,16 @@ const FEW: usize = 4;
 pub(super) struct Inside(SmallVec<[u32; FEW]>);
 
 impl Clone for Inside {
-    /// Every ray has its own: most are inside of few, which go into registers.
+    /// Every ray has its own: most are inside of few, which go through registers, one by one. All that was written one
+    /// by one and is read at once would be waited for.
     #[inline]
     fn clone(&self) -> Self {
-        let mut few = [0; FEW];
-        match few.get_mut(..self.0.len()) {
-            Some(numbers) => {
-                numbers.copy_from_slice(&self.0);
-                Self(SmallVec::from_buf_and_len(few, self.0.len()))
-            }
-            None => Self(SmallVec::from_slice(&self.0)),
+        let numbers = &self.0[..];
+        if numbers.len() > FEW {
+            return Self(SmallVec::from_slice(numbers));
         }
+        let number = |place: usize| numbers.get(place).copied().unwrap_or(0);
+        Self(SmallVec::from_buf_and_len([number(0), number(1), number(2), number(3)], numbers.len()))
     }
 }
 

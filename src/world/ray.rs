@@ -89,9 +89,6 @@ impl Rays {
         all
     }
 
-    /// Rays that go nowhere.
-    pub const NOWHERE: Self = Self { origin: [Lanes::ZERO; 3], direction: [Lanes::ZERO; 3] };
-
     /// One of them.
     #[inline(always)]
     pub fn ray(&self, lane: usize) -> Ray {

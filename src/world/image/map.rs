@@ -176,7 +176,8 @@ impl ImageMap {
     fn stored_color(&self, at: DVec2) -> Rgbft {
         let mut sums = [0.0; 5];
         if self.interpolation == Interpolation::None {
-            return self.pixel(at.x.trunc(), at.y.trunc());
+            // What is inside the image is rounded down where the pixel is looked up.
+            return self.pixel(at.x, at.y);
         }
         self.neighbours(at, |x, y, weight| {
             for (sum, component) in sums.iter_mut().zip(self.pixel(x, y).to_array()) {
