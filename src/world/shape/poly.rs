@@ -1,6 +1,7 @@
 //! `cubic`, `quartic`, `poly`, `polynomial` (docs/spec/primitives.md 3.9).
 
 mod along;
+mod four;
 
 use std::ops::{Add, Mul};
 use std::sync::Arc;
@@ -11,8 +12,8 @@ use super::{Crossing, Shape, downhill};
 use crate::math::double::Double;
 use crate::math::roots::{any_between, each_root};
 use crate::math::wide::widest;
-use crate::math::{Band, Bounds, DVec3};
-use crate::world::{Range, Ray};
+use crate::math::{Band, Bounds, DVec3, Lanes};
+use crate::world::{Range, Ray, Rays};
 
 /// The surface where a polynomial in x, y and z is zero; inside where it isn't above.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,18 +109,15 @@ impl Poly {
             Home::Gate(gate) => {
                 gate.span(ray).filter(|span| span.leave.t >= start)?;
                 // Nearer to a surface than the ball around the box more terms change their sign.
-                Some(in_ball(ray, 0.5 * (gate.min + gate.max), 0.5 * gate.min.distance(gate.max)))
+                self.home.ball().map(|(center, radius)| in_ball(ray, center, radius))
             }
         }
     }
 
     /// The middle of the home.
+    #[inline(always)]
     fn middle(&self) -> DVec3 {
-        match self.home {
-            Home::Anywhere => DVec3::ZERO,
-            Home::Ball(center, _) => center,
-            Home::Gate(gate) => 0.5 * (gate.min + gate.max),
-        }
+        self.home.ball().map_or(DVec3::ZERO, |(center, _)| center)
     }
 
     /// Calls back with the distance of every crossing in range, ascending, until told to stop.
@@ -300,6 +298,21 @@ impl Shape for Poly {
             _ => None,
         };
         told.unwrap_or_else(|| self.nearest(ray, range).is_some())
+    }
+
+    fn nearest_together(
+        &self,
+        rays: &Rays,
+        asked: u32,
+        ends: &Lanes,
+        found: &mut [Option<Crossing>; Lanes::COUNT],
+    ) -> bool {
+        let Some(ball) = self.home.ball().filter(|_| self.degree == 4) else { return false };
+        let met = asked & !self.missed_of_four(rays, ball);
+        for lane in (0..Lanes::COUNT).filter(|lane| met >> lane & 1 == 1) {
+            found[lane] = self.nearest(&rays.ray(lane), Range { min: 0.0, max: ends.0[lane].next_up() });
+        }
+        true
     }
 
     fn at_home_in(&self, center: DVec3, radius: f64) -> Option<Arc<dyn Shape>> {
