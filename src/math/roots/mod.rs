@@ -29,7 +29,7 @@ pub fn quadratic(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
 }
 
 /// As [`quadratic`], where the caller knows a better way to the discriminant `b² - a c`.
-#[inline]
+#[inline(always)]
 pub fn with_discriminant(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> {
     if a == 0.0 && b == 0.0 || discriminant.is_nan() || discriminant < 0.0 {
         return None;

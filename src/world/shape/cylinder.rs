@@ -51,6 +51,7 @@ pub(super) fn between_planes(z: Band, border: f64) -> Band {
 
 impl Cylinder {
     /// Inside the endless cylinder: the discriminant comes from the distance of line and axis.
+    #[inline(always)]
     fn between_sides(ray: &Ray) -> Option<Stretch> {
         let (f, d) = (ray.origin.truncate(), ray.direction.truncate());
         let a = d.length_squared();
@@ -68,7 +69,7 @@ impl Cylinder {
         Stretch::new(enter, SIDE, leave, SIDE)
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let (sides, ends) = (Self::between_sides(ray)?, between_ends(ray)?);
         if self.open { ends.meet(sides) } else { sides.meet(ends) }

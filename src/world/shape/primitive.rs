@@ -138,8 +138,8 @@ impl Primitive {
     }
 
     /// Where a line is inside, if the shape is convex and all of its border is surface; the inner
-    /// `None` where it is outside all along.
-    #[inline]
+    /// `None` where it is outside all along. Compiled together with what asks: the ray it makes need not be stored then.
+    #[inline(always)]
     pub fn convex(&self, ray: &Ray) -> Option<Option<Stretch>> {
         match self {
             Self::Sphere(sphere) => Some(sphere.stretch(ray)),

@@ -22,7 +22,7 @@ const MISSED: f64 = 1.0 - 1e-12;
 impl Sphere {
     /// The discriminant comes from the distance between line and centre, not from the origin's
     /// (Haines, Günther, Akenine-Möller, Ray Tracing Gems 7).
-    #[inline]
+    #[inline(always)]
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let f = ray.origin - self.center;
         let a = ray.direction.length_squared();

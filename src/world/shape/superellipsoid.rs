@@ -39,8 +39,10 @@ impl Exponent {
         self.whole.map_or_else(|| x.powf(self.p), |p| x.powi(p))
     }
 
+    /// Also quick of 1, which is left where a power is lost beside it.
     fn root(&self, x: f64) -> f64 {
         match self.whole {
+            _ if x == 1.0 => 1.0,
             Some(1) => x,
             Some(2) => x.sqrt(),
             Some(4) => x.sqrt().sqrt(),
