@@ -102,6 +102,10 @@ impl From<Failure> for Halt {
 /// # Errors
 /// The first picture that cannot be made ends the run.
 pub fn run(job: &Job, report: &mut dyn Report) -> Result<(), Failure> {
+    if let Some(threads) = job.render.threads {
+        // Scenes are compiled with as many. Of several jobs in a process the first tells: that never changes a picture.
+        let _: Result<(), _> = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    }
     let mut values = None;
     let mut result = match frames(job, report, &mut values) {
         Err(Halt::Quit) => return Ok(()),

@@ -14,7 +14,7 @@ impl Eye<'_> {
     /// The mean of what the rays see that start on faces of meshes.
     pub(super) fn through_mesh(&self, tracer: &mut Tracer, mesh: &MeshCamera, x: f64, y: f64) -> Sample {
         let place = Place { at: DVec2::new(x, y), size: [self.options.width, self.options.height] };
-        let mut rays = Vec::with_capacity(mesh.rays as usize);
+        let mut rays = Vec::with_capacity(mesh.most());
         mesh.rays(place, &mut rays);
         for ray in &mut rays {
             self.world.camera.bend(ray, DVec2::ZERO);

@@ -14,8 +14,8 @@ use crate::render::trace::Tracer;
 /// Halving parts more often than this changes no picture.
 const DEEPEST: u32 = 24;
 
-/// Parts that may be halved more often than this are halved one after the other, as there may be many.
-const DEEP: u32 = 7;
+/// Intervals that may come to have more parts halve them one after the other, without keeping them.
+const MANY: u64 = 4096;
 
 /// A sample and the place in the interval that it stands for, whatever jitter did to it.
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +60,7 @@ impl Tracer<'_> {
         if march.uniform.is_none() && march.rule.jitter == 0.0 {
             // Lamps may take random numbers, so their order counts.
             let lamps = interval.lit && march.scatters;
-            if !lamps && level <= DEEP {
+            if !lamps && u64::from(parts) << level <= MANY {
                 return self.halved(march, interval, (parts, spacing), level);
             }
             known = self.mixtures_of_knots(march, interval, parts, spacing);

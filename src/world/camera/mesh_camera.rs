@@ -12,7 +12,7 @@ const CELLS: usize = 10;
 /// A camera of faces.
 #[derive(Clone, Debug)]
 pub struct MeshCamera {
-    /// Rays for each pixel, of which some may not exist; 1 where a pixel has one face.
+    /// Rays that were asked for at each pixel; most distributions have one face for it and so one ray.
     pub rays: u32,
     /// Nothing at or beyond this distance is seen; infinite where none was given.
     pub reach: f64,
@@ -58,6 +58,14 @@ impl Place {
 }
 
 impl MeshCamera {
+    /// No place in the picture has more rays.
+    pub fn most(&self) -> usize {
+        match &self.distribution {
+            Distribution::Each(meshes) => meshes.len().min(self.rays as usize),
+            _ => 1,
+        }
+    }
+
     /// Adds the rays of a place in the picture, in their order; their directions are unit.
     pub fn rays(&self, place: Place, rays: &mut Vec<Ray>) {
         match &self.distribution {
