@@ -3,6 +3,8 @@
 use std::f64::consts::FRAC_2_PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use super::DVec3;
+
 /// Four numbers that are computed at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(32))]
@@ -33,6 +35,12 @@ impl Lanes {
     pub fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let ([a, b, c, d], [p, q, r, s]) = (self.0, other.0);
         Self([f(a, p), f(b, q), f(c, r), f(d, s)])
+    }
+
+    /// One of four points, given by their coordinates.
+    #[inline(always)]
+    pub fn point([x, y, z]: &[Self; 3], lane: usize) -> DVec3 {
+        DVec3::new(x.0[lane], y.0[lane], z.0[lane])
     }
 
     /// Their absolute values.

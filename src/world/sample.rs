@@ -100,7 +100,7 @@ impl<'a> Samples<'a> {
     /// The point of one of them.
     #[inline(always)]
     pub fn point_of(&self, lane: usize) -> DVec3 {
-        lane_of(&self.point, lane)
+        Lanes::point(&self.point, lane)
     }
 
     /// What is known of one of them besides its point.
@@ -118,7 +118,7 @@ impl<'a> Samples<'a> {
     pub fn get(&self, lane: usize) -> Sample<'a> {
         let point = self.point_of(lane);
         match self.places {
-            Places::Points(places) => Sample::at(lane_of(places, lane)).moved(point),
+            Places::Points(places) => Sample::at(Lanes::point(places, lane)).moved(point),
             Places::Hits(hits) => hits[lane].moved(point),
         }
     }
@@ -131,12 +131,6 @@ impl<'a> Samples<'a> {
         }
         self.moved([u, v, Lanes::ZERO])
     }
-}
-
-/// One of four points.
-#[inline(always)]
-fn lane_of([x, y, z]: &[Lanes; 3], lane: usize) -> DVec3 {
-    DVec3::new(x.0[lane], y.0[lane], z.0[lane])
 }
 
 /// A link in the list of what stands around a layer: normals pass through all of it.

@@ -155,10 +155,10 @@ impl Warps {
 
 /// Where each of four points goes.
 #[inline(never)]
-fn one_by_one([x, y, z]: [Lanes; 3], go: impl Fn(DVec3) -> DVec3) -> [Lanes; 3] {
+fn one_by_one(points: [Lanes; 3], go: impl Fn(DVec3) -> DVec3) -> [Lanes; 3] {
     let mut seen = [Lanes::ZERO; 3];
     for lane in 0..Lanes::COUNT {
-        let p = go(DVec3::new(x.0[lane], y.0[lane], z.0[lane]));
+        let p = go(Lanes::point(&points, lane));
         (seen[0].0[lane], seen[1].0[lane], seen[2].0[lane]) = (p.x, p.y, p.z);
     }
     seen

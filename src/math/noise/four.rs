@@ -62,7 +62,7 @@ fn vector_octaves(point: &[Lanes; 3], scales: &[f64], vectors: &mut [[Lanes; 3]]
     }
     for (scale, vector) in scales.iter().zip(vectors) {
         for lane in 0..Lanes::COUNT {
-            let found = lattice::vector(*scale * at(point, lane));
+            let found = lattice::vector(*scale * Lanes::point(point, lane));
             (vector[0].0[lane], vector[1].0[lane], vector[2].0[lane]) = (found.x, found.y, found.z);
         }
     }
@@ -108,12 +108,7 @@ impl Octaves {
     }
 }
 
-/// One of four points.
-fn at([x, y, z]: &[Lanes; 3], lane: usize) -> DVec3 {
-    DVec3::new(x.0[lane], y.0[lane], z.0[lane])
-}
-
 /// A function of each of four points.
 fn each(point: &[Lanes; 3], value: impl Fn(DVec3) -> f64) -> Lanes {
-    Lanes([0, 1, 2, 3].map(|lane| value(at(point, lane))))
+    Lanes([0, 1, 2, 3].map(|lane| value(Lanes::point(point, lane))))
 }

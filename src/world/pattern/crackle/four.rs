@@ -1,8 +1,8 @@
 //! Crackles at four points at once, where these are in one cell: all have the same seeds around them.
 
 use super::{ADJACENT, Crackle, EPSILON, Kept, Metric, SEEDS, Seeds, insert};
+use crate::math::Lanes;
 use crate::math::wide::widest;
-use crate::math::{DVec3, Lanes};
 
 impl Crackle {
     /// [`Crackle::value`] at each of four points.
@@ -13,8 +13,7 @@ impl Crackle {
                 || self.in_one_cell(point, kept),
             )
         });
-        let alone =
-            |lane: usize| self.value(DVec3::new(point[0].0[lane], point[1].0[lane], point[2].0[lane]));
+        let alone = |lane: usize| self.value(Lanes::point(point, lane));
         let Some((mut values, sure)) = side_by_side else {
             return Lanes([alone(0), alone(1), alone(2), alone(3)]);
         };
@@ -83,6 +82,7 @@ impl Seeds {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::DVec3;
 
     #[test]
     fn four_at_once_are_as_one_after_the_other() {
@@ -99,9 +99,7 @@ mod tests {
                     let away = f64::from(n) * 0.173 - 40.0;
                     let point = [step + away, step * 0.3 - away, step * 0.1 + 0.7];
                     let found = crackle.four(&point).0;
-                    let alone = |i: usize| {
-                        crackle.value(DVec3::new(point[0].0[i], point[1].0[i], point[2].0[i])).to_bits()
-                    };
+                    let alone = |i: usize| crackle.value(Lanes::point(&point, i)).to_bits();
                     assert_eq!(found.map(f64::to_bits), [0, 1, 2, 3].map(alone), "{crackle:?} at {point:?}");
                 }
             }
