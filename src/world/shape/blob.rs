@@ -47,25 +47,39 @@ impl Blob {
 
     /// Strength at a point above the threshold, and the gradient.
     fn value(&self, point: DVec3) -> (f64, DVec3) {
-        let (mut value, mut slope) = (-self.threshold, DVec3::ZERO);
-        self.around(point, |_, field, gradient| {
-            value += field;
-            slope += gradient;
-        });
-        (value, slope)
+        widest(
+            #[inline(always)]
+            || {
+                let (mut value, mut slope) = (-self.threshold, DVec3::ZERO);
+                self.around(
+                    point,
+                    #[inline(always)]
+                    |_, field, gradient| {
+                        value += field;
+                        slope += gradient;
+                    },
+                );
+                (value, slope)
+            },
+        )
     }
 
     /// Calls back with every part whose field reaches a point.
+    #[inline(always)]
     fn around(&self, point: DVec3, mut found: impl FnMut(&Part, f64, DVec3)) {
-        self.bvh.any_run_around(point, |run| {
-            for part in &self.parts[run] {
-                let (field, gradient) = part.field(point);
-                if field != 0.0 {
-                    found(part, field, gradient);
+        self.bvh.any_run_around(
+            point,
+            #[inline(always)]
+            |run| {
+                for part in &self.parts[run] {
+                    let (field, gradient) = part.field(point);
+                    if field != 0.0 {
+                        found(part, field, gradient);
+                    }
                 }
-            }
-            false
-        });
+                false
+            },
+        );
     }
 
     /// Calls back with the distance of every crossing within the range or close to it, ascending, until it
@@ -89,9 +103,9 @@ impl Blob {
                         walk.line.max
                     },
                 );
+                walk.cross(found)
             },
-        );
-        walk.cross(found)
+        )
     }
 }
 
@@ -163,13 +177,21 @@ impl Shape for Blob {
         if !told {
             return false;
         }
-        for (lane, walk) in walks.into_iter().enumerate().filter(|(lane, _)| asked >> lane & 1 == 1) {
+        for lane in lanes() {
             let range = range(lane);
             let mut nearest = None;
-            let walked = walk.cross(|t| {
-                nearest = range.contains(t).then(|| Crossing::new(t, 0));
-                nearest.is_none() && t < range.max
-            });
+            let walked = widest(
+                #[inline(always)]
+                || {
+                    walks[lane].cross(
+                        #[inline(always)]
+                        |t| {
+                            nearest = range.contains(t).then(|| Crossing::new(t, 0));
+                            nearest.is_none() && t < range.max
+                        },
+                    )
+                },
+            );
             found[lane] = match (nearest, walked) {
                 (None, Walked::Briefly) => self.nearest(&rays.ray(lane), range),
                 (nearest, _) => nearest,

@@ -49,6 +49,7 @@ impl Part {
     }
 
     /// Strength at a point, and the gradient.
+    #[inline(always)]
     pub(super) fn field(&self, point: DVec3) -> (f64, DVec3) {
         let scale = self.inverse.matrix3.x_axis.x;
         let p = match self.is_even {
@@ -161,6 +162,14 @@ impl Span {
         sums[4] += strength * (r * r);
     }
 
+    /// What the field's terms are made of is nowhere more within `reach` of the ray's start, so the field is rounded by a
+    /// share of it.
+    #[inline(always)]
+    pub(super) fn size(&self, reach: f64) -> f64 {
+        let [c, b, a] = self.square;
+        self.strength.abs() * (1.0 + c + reach * (2.0 * b.abs() + reach * a))
+    }
+
     /// Where the field is strongest, if that is within the span.
     #[inline(always)]
     pub(super) fn middle(&self) -> f64 {
@@ -170,12 +179,15 @@ impl Span {
     }
 
     /// Adds the field as a polynomial in the distance from `start`.
+    #[inline(always)]
     pub(super) fn add(&self, start: f64, quartic: &mut [f64; 5]) {
         let [c, b, a] = self.square;
         let (e, f, g) = (1.0 - (c + start * (2.0 * b + start * a)), -2.0 * (b + a * start), -a);
-        let terms = [e * e, 2.0 * e * f, f * f + 2.0 * e * g, 2.0 * f * g, g * g];
-        for (sum, term) in quartic.iter_mut().zip(terms) {
-            *sum += self.strength * term;
-        }
+        let strength = self.strength;
+        quartic[0] += strength * (e * e);
+        quartic[1] += strength * (2.0 * e * f);
+        quartic[2] += strength * (f * f + 2.0 * e * g);
+        quartic[3] += strength * (2.0 * f * g);
+        quartic[4] += strength * (g * g);
     }
 }

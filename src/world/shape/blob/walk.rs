@@ -5,7 +5,7 @@ use smallvec::SmallVec;
 use super::Blob;
 use super::part::{Part, Span};
 use crate::math::DVec3;
-use crate::math::roots::{between, roots_between};
+use crate::math::roots::{any_told_apart, between, roots_between};
 use crate::world::{Range, Ray};
 
 /// What of a blob a ray is interested in.
@@ -108,6 +108,9 @@ impl<'a> Walk<'a> {
     #[inline(always)]
     pub(super) fn take(&mut self, part: &Part) -> bool {
         let Some(span) = part.meet(&self.ray) else { return true };
+        if self.any && (span.leave <= self.line.min || span.enter >= self.line.max) {
+            return true;
+        }
         if self.briefly && span.peak > self.threshold + self.sure {
             let middle = span.middle();
             if middle > self.line.min && middle < self.brief {
@@ -133,8 +136,9 @@ impl<'a> Walk<'a> {
     }
 
     /// Calls back with the distances of crossings, as [`Blob::walk`] does.
-    pub(super) fn cross(self, mut found: impl FnMut(f64) -> bool) -> Walked {
-        let Self { shift, mut range, brief, sure, threshold, peak, last, .. } = self;
+    #[inline(always)]
+    pub(super) fn cross(&mut self, mut found: impl FnMut(f64) -> bool) -> Walked {
+        let Self { shift, mut range, room, any, brief, sure, threshold, peak, last, .. } = *self;
         range.max = range.max.min(brief);
         let walked = if brief < f64::INFINITY { Walked::Briefly } else { Walked::Wholly };
         if self.is_met {
@@ -143,7 +147,7 @@ impl<'a> Walk<'a> {
         if peak < threshold - sure {
             return walked;
         }
-        let spans = self.spans;
+        let spans = &mut *self.spans;
         spans.sort_unstable_by(|a, b| a.enter.total_cmp(&b.enter));
         let spans = spans.as_slice();
         let Some(mut end) = spans.first().map(|span| span.enter) else {
@@ -182,6 +186,20 @@ impl<'a> Walk<'a> {
                 value = None;
                 continue;
             }
+            if any {
+                // Signs tell whether light is stopped here, and a ray that leaves the surface leaves its start aside.
+                let (from, to) = (start.max(range.min + room), end.min(range.max - room));
+                let met =
+                    if from < to { self::is_met(active, (from, to), threshold, sure) } else { Some(false) };
+                match met {
+                    Some(true) => return Walked::Met,
+                    Some(false) => {
+                        value = None;
+                        continue;
+                    }
+                    None => {}
+                }
+            }
             let mut sums = [-threshold; 5];
             for span in active {
                 span.add_between(start, end, &mut sums);
@@ -216,4 +234,23 @@ impl<'a> Walk<'a> {
         }
         walked
     }
+}
+
+/// Whether light that has passed the blob's surface in the end meets it between two distances, where fields add up to
+/// one polynomial, or is inside at one of them; `None` where rounding leaves that in doubt.
+#[inline(always)]
+fn is_met(active: &[&Span], (from, to): (f64, f64), threshold: f64, sure: f64) -> Option<bool> {
+    let mut sums = [-threshold; 5];
+    for span in active {
+        span.add_between(from, to, &mut sums);
+    }
+    if sums[0] > sure || sums[4] > sure {
+        return Some(true);
+    }
+    if sums.iter().all(|sum| *sum < -sure) {
+        return Some(false);
+    }
+    let reach = from.abs().max(to.abs());
+    let size = active.iter().fold(threshold.abs(), |size, span| size + span.size(reach));
+    any_told_apart(sums, 64.0 * f64::EPSILON * size)
 }
