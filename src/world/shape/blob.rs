@@ -150,6 +150,7 @@ impl Shape for Blob {
         let (mut a, mut b, mut c, mut d) = (Spans::new(), Spans::new(), Spans::new(), Spans::new());
         let walk = |lane: usize, spans| Walk::new(self, &rays.ray(lane), range(lane), Sought::First, spans);
         let mut walks = [walk(0, &mut a), walk(1, &mut b), walk(2, &mut c), walk(3, &mut d)];
+        let moved = Rays::of(&[walks[0].ray, walks[1].ray, walks[2].ray, walks[3].ray]);
         let lanes = || (0..Lanes::COUNT).filter(|lane| asked >> lane & 1 == 1);
         let end = |walks: &[Walk; Lanes::COUNT]| {
             lanes().fold(f64::NEG_INFINITY, |farthest, lane| farthest.max(walks[lane].end()))
@@ -163,11 +164,14 @@ impl Shape for Blob {
                     #[inline(always)]
                     |run| {
                         for part in &self.parts[run] {
-                            let mut near = part.near_of_four(rays) & asked;
-                            while near != 0 {
-                                walks[near.trailing_zeros() as usize % Lanes::COUNT].take(part);
-                                near &= near - 1;
-                            }
+                            part.meet_of_four(
+                                &moved,
+                                asked,
+                                #[inline(always)]
+                                |lane, span| {
+                                    walks[lane].add(span);
+                                },
+                            );
                         }
                         end(&walks)
                     },
@@ -349,6 +353,35 @@ mod tests {
             }
         }
         assert!(seen[0] > 1000 && seen[1] > 1000, "{seen:?}");
+    }
+
+    #[test]
+    fn light_leaves_the_surface_as_a_ray_would() {
+        let mut number = numbers(13);
+        let mut seen = [0; 2];
+        for turn in 0..200 {
+            let mut point = || DVec3::new(number(), number(), number());
+            let parts = (0..12).map(|part| {
+                let (center, size) = (point(), point());
+                ball(
+                    center.to_array(),
+                    0.4 + 0.2 * size.x.abs(),
+                    if part < 10 { 1.0 } else { -0.4 * size.y.abs() },
+                )
+            });
+            let blob = Blob::new(parts.take(if turn % 2 == 0 { 10 } else { 12 }).collect(), 0.5);
+            for _ in 0..100 {
+                let (ray, way) = (Ray::new(4.0 * point(), point()), point().normalize());
+                let Some(hit) = blob.nearest(&ray, Range::AHEAD) else { continue };
+                let (on, normal) = blob.touched(ray.at(hit.t), &hit).unwrap();
+                let side = normal.normalize() * way.dot(normal).signum();
+                let leaving = Ray::new(on + 3e-13 * side, way);
+                let again = blob.nearest(&leaving, Range::AHEAD).is_some();
+                assert_eq!(blob.occludes(&leaving, Range::AHEAD), again, "{leaving:?}");
+                seen[usize::from(again)] += 1;
+            }
+        }
+        assert!(seen[0] > 400 && seen[1] > 400, "{seen:?}");
     }
 
     #[test]

@@ -27,15 +27,7 @@ impl Part {
     pub fn ball(transform: &Transform, strength: f64, texture: u32) -> Self {
         let (inverse, bounds) = (transform.inverse, around_ball(transform));
         let is_even = inverse.matrix3 == DMat3::from_diagonal(DVec3::splat(inverse.matrix3.x_axis.x));
-        Self {
-            inverse,
-            tube: false,
-            ends: [f64::NEG_INFINITY, f64::INFINITY],
-            is_even,
-            strength,
-            texture,
-            bounds,
-        }
+        Self { inverse, tube: false, ends: WHOLE, is_even, strength, texture, bounds }
     }
 
     /// A tube of radius 1 about the z axis from 0 to `length` with a half-ball at each end.
@@ -68,24 +60,56 @@ impl Part {
         (self.strength * rest * rest, slope)
     }
 
-    /// The bits of those of four rays that may be in the field somewhere, as [`Part::meet`] tells.
+    /// Calls back with what [`Part::meet`] finds for each of those of four rays that `asked` gives the bits of, to the
+    /// last bit.
     #[inline(always)]
-    pub(super) fn near_of_four(&self, rays: &Rays) -> u32 {
+    pub(super) fn meet_of_four(&self, rays: &Rays, asked: u32, mut found: impl FnMut(usize, Span)) {
         let axes = if self.tube { 2 } else { 3 };
-        let (mut a, mut b, mut c) = (Lanes::ZERO, Lanes::ZERO, Lanes::splat(0.0));
+        let (mut f, mut e) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
         let DAffine3 { matrix3: m, translation } = self.inverse;
         for axis in 0..axes {
             let turned = |[x, y, z]: &[Lanes; 3]| match self.is_even {
                 true => [*x, *y, *z][axis] * m.x_axis.x,
                 false => *x * m.x_axis[axis] + *y * m.y_axis[axis] + *z * m.z_axis[axis],
             };
-            let (from, along) = (turned(&rays.origin) + translation[axis], turned(&rays.direction));
-            a = a + along * along;
-            b = b + from * along;
-            c = c + from * from;
+            f[axis] = turned(&rays.origin) + translation[axis];
+            e[axis] = turned(&rays.direction);
         }
+        let (a, b, c) = (Lanes::dot(&e, &e), Lanes::dot(&f, &e), Lanes::dot(&f, &f));
         let aside = a * (c - 1.0) - b * b - a * c * CLEAR;
-        15 & !aside.bits(|aside| aside > 0.0)
+        let mut near = asked & !aside.bits(|aside| aside > 0.0);
+        if near == 0 {
+            return;
+        }
+        let is_whole = self.ends == WHOLE;
+        let along = b / a;
+        for axis in 0..axes {
+            f[axis] = f[axis] - along * e[axis];
+        }
+        let rest = Lanes::splat(1.0) - Lanes::dot(&f, &f);
+        let q = -(b + (a * rest).sqrt().zip(b, f64::copysign));
+        let (one, other) = (q / a, (c - 1.0) / q);
+        let (enter, leave) =
+            (one.lesser(other), other.zip(one, |other, one| if one < other { other } else { one }));
+        let peak = rest * self.strength * rest;
+        while near != 0 {
+            let lane = near.trailing_zeros() as usize % Lanes::COUNT;
+            near &= near - 1;
+            if !is_whole {
+                if let Some(span) = self.meet(&rays.ray(lane)) {
+                    found(lane, span);
+                }
+                continue;
+            }
+            let (enter, leave) = (enter.0[lane], leave.0[lane]);
+            if enter < leave && leave.is_finite() && enter.is_finite() {
+                let square = [c.0[lane], b.0[lane], a.0[lane]];
+                found(
+                    lane,
+                    Span { enter, leave, square, strength: self.strength, peak: peak.0[lane].max(0.0) },
+                );
+            }
+        }
     }
 
     /// Where a ray is in the field, and how its distance from the middle, squared, starts and grows.
@@ -124,6 +148,9 @@ impl Part {
     }
 }
 
+/// The ends of what is not cut off.
+const WHOLE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
 /// The share of the squared distance by which a ray must pass a field, far more than it is rounded by.
 const CLEAR: f64 = 1e-12;
 
@@ -135,6 +162,7 @@ fn around_ball(transform: &Transform) -> Bounds {
 }
 
 /// The stretch of a ray in a part's field.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Span {
     pub(super) enter: f64,
     pub(super) leave: f64,
@@ -189,5 +217,42 @@ impl Span {
         quartic[2] += strength * (f * f + 2.0 * e * g);
         quartic[3] += strength * (2.0 * f * g);
         quartic[4] += strength * (g * g);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::dice::numbers;
+    use crate::world::shape::OWN_TEXTURE;
+
+    #[test]
+    fn four_rays_are_met_as_each_alone() {
+        let mut number = numbers(7);
+        let mut seen = [0; 2];
+        for turn in 0..3000 {
+            let mut point = || DVec3::new(number(), number(), number());
+            let (place, size, turned) =
+                (Transform::translate(point()), 0.3 + point().x.abs(), 90.0 * point());
+            let shape = match turn % 3 {
+                0 => Transform::scale(DVec3::splat(size)),
+                1 => Transform::scale(size + point().abs()),
+                _ => Transform::scale(DVec3::splat(size)).then(&Transform::rotate(turned)),
+            };
+            let place = shape.then(&place);
+            let mut parts = Part::capsule(&place, size, 1.5, OWN_TEXTURE).to_vec();
+            parts.push(Part::ball(&place, -0.5, OWN_TEXTURE));
+            let rays = [0; Lanes::COUNT].map(|_| Ray::new(2.0 * point(), point()));
+            for part in parts {
+                let mut met = [None; Lanes::COUNT];
+                part.meet_of_four(&Rays::of(&rays), 15, |lane, span| met[lane] = Some(span));
+                for (ray, met) in rays.iter().zip(met) {
+                    let alone = part.meet(ray);
+                    seen[usize::from(alone.is_some())] += 1;
+                    assert_eq!(met, alone, "{ray:?}");
+                }
+            }
+        }
+        assert!(seen[0] > 5000 && seen[1] > 5000, "{seen:?}");
     }
 }

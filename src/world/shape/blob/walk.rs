@@ -108,6 +108,12 @@ impl<'a> Walk<'a> {
     #[inline(always)]
     pub(super) fn take(&mut self, part: &Part) -> bool {
         let Some(span) = part.meet(&self.ray) else { return true };
+        self.add(span)
+    }
+
+    /// The same of the stretch in a part's field.
+    #[inline(always)]
+    pub(super) fn add(&mut self, span: Span) -> bool {
         if self.any && (span.leave <= self.line.min || span.enter >= self.line.max) {
             return true;
         }
