@@ -217,6 +217,10 @@ impl Shape for Blob {
         }
     }
 
+    fn is_closed(&self) -> bool {
+        true
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         let rounding = 8.0 * f64::EPSILON * self.threshold.abs();
         self.value(point).0 >= -rounding

@@ -242,6 +242,10 @@ impl Shape for Cuboid {
         enter <= leave && (range.contains(enter) || range.contains(leave))
     }
 
+    fn is_closed(&self) -> bool {
+        true
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         self.bounds().contains(point)
     }

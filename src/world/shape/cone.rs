@@ -130,6 +130,10 @@ impl Shape for Cone {
             .map(Crossing::from)
     }
 
+    fn is_closed(&self) -> bool {
+        !self.open
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         let border = border(self.open);
         let radius = self.radius(point.z);

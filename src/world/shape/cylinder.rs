@@ -98,6 +98,10 @@ impl Shape for Cylinder {
         [stretch.enter, stretch.leave].into_iter().find(counts).map(Crossing::from)
     }
 
+    fn is_closed(&self) -> bool {
+        !self.open
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         let border = border(self.open);
         point.truncate().length_squared() <= 1.0 + border && -border <= point.z && point.z <= 1.0 + border

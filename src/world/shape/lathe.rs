@@ -124,14 +124,44 @@ impl Passing {
         !steady || near([distance(start), distance(end)])
     }
 
+    /// Whether a ray may meet a segment, before and after it passes the axis, between distances that are `near`.
+    #[inline(always)]
+    fn comes_near(&self, segment: &Segment, near: impl Fn([f64; 2]) -> bool) -> [bool; 2] {
+        /// Many times what squares of radii are rounded by, as a share.
+        const NOISE: f64 = 1e-12;
+        let hull = segment.hull();
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        if self.up > FLAT * self.out {
+            let [bottom, top] = hull.map(|p| (p.y - self.height) / self.up);
+            let room = FAR * self.height.abs() / self.up;
+            (low, high) = (bottom - room, top + room);
+            if !near([low, high]) {
+                return [false; 2];
+            }
+        }
+        // Steep rays cross it where they have its height.
+        if self.up > self.out {
+            return [true; 2];
+        }
+        let widest = hull[0].x.abs().max(hull[1].x.abs());
+        let narrowest = hull[0].x.max(-hull[1].x).max(0.0);
+        let chord = |radius: f64, noise: f64| {
+            let square = radius * radius * (1.0 + noise) - self.nearest * (1.0 - noise);
+            square.max(0.0).sqrt() / self.out
+        };
+        let (from, to) = (chord(narrowest, -NOISE), chord(widest, NOISE));
+        let meets = |start: f64, end: f64| {
+            let (start, end) = (start.max(low), end.min(high));
+            start <= end && near([start, end])
+        };
+        [meets(-to, -from), meets(from, to)]
+    }
+
     /// Calls back with the place on the segment and the distance of every crossing between distances that are `near`.
     fn meet(&self, segment: &Segment, near: impl Fn([f64; 2]) -> bool, mut found: impl FnMut(f64, f64)) {
-        if self.up > 0.5 * self.out {
-            let [low, high] = segment.hull().map(|p| (p.y - self.height) / self.up);
-            let room = FAR * self.height.abs();
-            if !near([low - room, high + room]) {
-                return;
-            }
+        let [before, after] = self.comes_near(segment, &near);
+        if !before && !after {
+            return;
         }
         let mut seeds = self.seeds(segment);
         if self.up > self.out {
@@ -160,7 +190,10 @@ impl Passing {
             seeds.extend_from_slice(levels.as_slice());
         }
         seeds.sort_unstable_by(f64::total_cmp);
-        for branch in [-1.0, 1.0] {
+        for (branch, comes_near) in [(-1.0, before), (1.0, after)] {
+            if !comes_near {
+                continue;
+            }
             let distance = |p: DVec2| branch * self.along(p) / self.out;
             sign_changes(
                 &seeds,
@@ -287,6 +320,11 @@ impl Shape for Lathe {
             crossing.t
         });
         nearest
+    }
+
+    fn is_closed(&self) -> bool {
+        // Ends on the axis leave nothing open.
+        !self.profile.is_open_within([DVec2::new(f64::MIN_POSITIVE, f64::NEG_INFINITY), DVec2::INFINITY])
     }
 
     fn inside(&self, point: DVec3) -> bool {

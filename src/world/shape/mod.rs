@@ -131,6 +131,12 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         self.nearest(ray, range).is_some()
     }
 
+    /// Whether it is known that there is surface wherever a ray comes to the inside or leaves it, and that a crossing has
+    /// the same bits whatever the range in which it is looked for.
+    fn is_closed(&self) -> bool {
+        false
+    }
+
     /// Whether `point` is inside, with POV-Ray's rule for points exactly on the surface
     /// (docs/spec/primitives.md, "inside" of each shape). Surfaces without an inside say `false`.
     fn inside(&self, point: DVec3) -> bool;

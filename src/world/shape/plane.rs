@@ -67,6 +67,10 @@ impl Shape for Plane {
     }
 
     /// The surface belongs to the inside, also where rounding put a point of it outside.
+    fn is_closed(&self) -> bool {
+        true
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         let (height, size) = self.height(point);
         height <= ON_SURFACE * size

@@ -198,6 +198,10 @@ impl Shape for Primitive {
         each!(self, shape => shape.is_flat())
     }
 
+    fn is_closed(&self) -> bool {
+        each!(self, shape => shape.is_closed())
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         each!(self, shape => shape.inside(point))
     }

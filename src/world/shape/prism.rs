@@ -252,6 +252,10 @@ impl Shape for Prism {
         )
     }
 
+    fn is_closed(&self) -> bool {
+        !self.open && !self.outline.is_open_within([DVec2::NEG_INFINITY, DVec2::INFINITY])
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         let [bottom, top] = self.heights;
         bottom <= point.y && point.y < top && self.outline.encloses(self.place(point))

@@ -251,6 +251,10 @@ impl Shape for Quadric {
         )
     }
 
+    fn is_closed(&self) -> bool {
+        true
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         self.value(point).0 <= 0.0
     }

@@ -293,6 +293,10 @@ impl Shape for Sor {
         nearest
     }
 
+    fn is_closed(&self) -> bool {
+        !self.open
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         let square = point.x * point.x + point.z * point.z;
         self.square_at(point.y).is_some_and(|(_, limit)| square <= limit)

@@ -105,6 +105,10 @@ impl Shape for Sphere {
         self.stretch(ray)?.nearest(range)
     }
 
+    fn is_closed(&self) -> bool {
+        true
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         (point - self.center).length_squared() < self.radius * self.radius
     }

@@ -316,6 +316,10 @@ impl Shape for Torus {
         told.unwrap_or_else(|| self.nearest(ray, range).is_some())
     }
 
+    fn is_closed(&self) -> bool {
+        self.major >= self.minor
+    }
+
     fn inside(&self, point: DVec3) -> bool {
         length(length(point.x, point.z) - self.major, point.y) <= self.minor
     }

@@ -79,6 +79,10 @@ impl Battery<'_> {
             for &place in self.places {
                 let at = DVec3::new(1.0, -0.7, 0.4) * place * size;
                 let shape = make(size, at);
+                assert!(
+                    self.kind != "surface" || !shape.is_closed(),
+                    "crossings of what is closed alternate"
+                );
                 let mut tally = Tally::new(&*shape, size, at, self.kind);
                 for number in 0..RAYS {
                     tally.shoot(number);
