@@ -4,7 +4,8 @@ use super::accel::Accel;
 use super::extent::Extent;
 use super::facets::Facets;
 use super::narrow;
-use super::object::{Leaf, LeafFlags, Limits, Member};
+use super::object::{Leaf, LeafFlags, Limits, Member, RayKind};
+use super::shape::Shape;
 use crate::options::Accelerator;
 
 /// How a [`Group`] combines its members.
@@ -51,6 +52,11 @@ pub struct Group {
     pub(super) odd: Option<u32>,
     /// The planes of such an intersection, if there are more than a few.
     pub(super) facets: Option<Facets>,
+    /// The members of a compound of a few solids of any shape, all hidden from the same rays, in the order in which rays
+    /// ask them in turn; empty for others.
+    pub(super) turns: Vec<Member>,
+    /// The rays that all of its leaves are hidden from.
+    pub(super) hidden: RayKind,
     /// Of an intersection: the place of a bounded convex solid, which no other member can exceed.
     pub(super) core: Option<u32>,
 }
@@ -70,6 +76,34 @@ fn odd_one(operation: Operation, members: &[Member], parts: &Parts) -> Option<u3
         }
     }
     odd.filter(|_| operation == Operation::Intersection && members.len() <= MOST_BOXED)
+}
+
+/// The members of a compound of a few solids, all hidden from the same rays, in the order in which they are asked in
+/// turn: first what decides for all beyond its box, for much of a ray is soon done with by that, and compounds last.
+fn turns(operation: Operation, members: &[Member], parts: &Parts) -> Vec<Member> {
+    let (mut hidden, mut count) = (None, 0);
+    for &member in members {
+        let solids = match member {
+            Member::Leaf(number) => {
+                let leaf = parts.leaf(number);
+                let closed = leaf.flags.contains(LeafFlags::SOLID) && leaf.primitive.is_closed();
+                if closed && !leaf.is_limited() { 1 } else { return Vec::new() }
+            }
+            Member::Group(number) => {
+                let group = parts.group(number);
+                let asked = group.limits.is_none() && (group.convex || !group.turns.is_empty());
+                if asked { parts.solids(group) } else { return Vec::new() }
+            }
+        };
+        count += solids;
+        if count > MOST_CONVEX || *hidden.get_or_insert(parts.hidden(member)) != parts.hidden(member) {
+            return Vec::new();
+        }
+    }
+    let mut turns = members.to_vec();
+    let decides = |member| parts.is_beyond(member) == operation.decisive();
+    turns.sort_by_key(|&member| (!decides(member), matches!(member, Member::Group(_))));
+    turns
 }
 
 /// Whether a compound combines a few convex solids, all hidden from the same rays.
@@ -130,6 +164,8 @@ impl Group {
             deciders: members.iter().filter(|&&m| is_finite(m) && decides(m)).count() as u32,
             convex,
             odd: odd_one(operation, &members, parts),
+            turns: turns(operation, &members, parts),
+            hidden: members.iter().fold(RayKind::all(), |all, &member| all & parts.hidden(member)),
             core: core.filter(|_| operation == Operation::Intersection),
             operation,
             members,
@@ -195,6 +231,24 @@ impl Parts {
             Member::Leaf(number) => self.leaf(number).extent(),
             Member::Group(number) => self.group(number).extent,
         }
+    }
+
+    /// The rays that a member is hidden from.
+    #[inline]
+    pub(super) fn hidden(&self, member: Member) -> RayKind {
+        match member {
+            Member::Leaf(number) => self.leaf(number).hidden,
+            Member::Group(number) => self.group(number).hidden,
+        }
+    }
+
+    /// How many leaves a compound of a few is made of.
+    fn solids(&self, group: &Group) -> usize {
+        let solids = group.members.iter().map(|&member| match member {
+            Member::Leaf(_) => 1,
+            Member::Group(number) => self.solids(self.group(number)),
+        });
+        solids.sum()
     }
 
     /// Whether everything beyond a member's box is inside of it.

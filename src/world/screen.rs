@@ -53,13 +53,13 @@ impl Screen {
     /// The screen that an object is for ways that mostly lead to `eye`; `None` for one that throws no
     /// shadows.
     pub(super) fn new(number: u32, object: &Object, parts: &Parts, eye: DVec3) -> Option<Self> {
+        if parts.hidden(object.member).intersects(RayKind::SHADOW) {
+            return None;
+        }
         let bounds = &parts.extent(object.member).bounds;
         let (mut center, mut outer, mut inner) = (bounds.center(), bounds.size().length() / 2.0, -1.0);
         if let Member::Leaf(leaf) = object.member {
             let leaf = parts.leaf(leaf);
-            if leaf.hidden.intersects(RayKind::SHADOW) {
-                return None;
-            }
             if let Some(balls) = Balls::of(leaf).filter(|_| !leaf.is_limited()) {
                 (center, outer) = (balls.center, balls.outer);
                 inner = if leaf.flags.contains(LeafFlags::OPAQUE) { balls.inner } else { -1.0 };

@@ -22,7 +22,7 @@ fn parallel_mirrors_are_followed_250_levels_deep() {
 
 #[test]
 fn what_one_solid_of_any_shape_and_convex_ones_share_looks_and_shades_the_same_on_every_way() {
-    // A far ball beside a cutter makes a compound of it, of which all crossings are asked.
+    // Many far balls beside a cutter make a compound of it, of which all crossings are asked.
     for (solid, cutter) in [
         ("cylinder{-2*y,2*y,1 open rotate 20*z}", "plane{y,.5}"),
         ("cylinder{-2*y,0,1 open}", "plane{y,1}"),
@@ -39,7 +39,7 @@ fn what_one_solid_of_any_shape_and_convex_ones_share_looks_and_shades_the_same_o
         ("prism{linear_spline 0,1,4,<-1,-1>,<1,-1>,<0,1>,<-1,-1> open rotate 25*z}", "plane{y,.4}"),
         ("torus{.8,.3 rotate 50*x}", "sphere{<.3,.2,-.4>,.8 inverse}"),
     ] {
-        let [short, general] = ["", "sphere{1e4*x,.1}"].map(|beside| {
+        let [short, general] = ["", "#for(I,1,17) sphere{1e4*x+I,.1} #end"].map(|beside| {
             let cutter = if beside.is_empty() { cutter.to_owned() } else { format!("union{{{cutter} {beside}}}") };
             let sdl = format!(
                 "camera{{location <0,1.5,-7> look_at 0}} light_source{{<2,9,-3> rgb 1}} light_source{{<-3,-1.5,-6> rgb .5}}
@@ -49,6 +49,52 @@ fn what_one_solid_of_any_shape_and_convex_ones_share_looks_and_shades_the_same_o
         });
         let unlike = short.pixels.iter().zip(&general.pixels).filter(|(a, b)| a != b).count();
         assert_eq!(unlike, 0, "{solid} {cutter}");
+    }
+}
+
+#[test]
+fn compounds_that_are_asked_member_by_member_look_the_same_as_those_of_which_all_is_asked() {
+    let parts = "#declare Foot=lathe{cubic_spline 7,<0,-1>,<0,-1>,<.6,-.9>,<.2,-.2>,<.5,.4>,<0,.8>,<0,.8>}
+        #declare Star=prism{linear_spline -.4,.5,5,<-.9,-.6>,<.8,-.5>,<.2,.1>,<.1,.9>,<-.9,-.6> rotate 20*x}
+        #declare Chest=superellipsoid{<.05,.05>}";
+    for solid in [
+        "difference{object{Chest} difference{object{Foot} box{<0,.2,-1>,<1,.4,1> rotate 45*z}} rotate 30*y}",
+        "difference{object{Chest} union{object{Foot} difference{object{Star} cylinder{-z,z,.3 translate .3*y}
+            cylinder{<-.5,-1,.2>,<-.5,1,.2>,.1} box{-.2,.2 rotate 45*y}}} rotate <20,40,0>}",
+        "difference{superellipsoid{<.6,1.3>} object{Foot} rotate 50*x}",
+        "difference{superellipsoid{<2.5,.4>} sphere{.2,.4} torus{.6,.1}}",
+        "merge{object{Foot} object{Star} torus{.7,.2}}",
+        "intersection{sphere{0,.9} union{object{Foot} torus{.6,.3 rotate 60*x}}}",
+        "intersection{object{Foot} object{Star} scale 1.5}",
+        "difference{box{-.8,.8} merge{torus{.6,.3} sphere{.5*y,.4}} rotate 30}",
+        "difference{box{-.8,.8} difference{sphere{0,.9} box{-.5,.5} cylinder{-2*z,2*z,.3}}}",
+        // Faces that coincide.
+        "difference{box{<-1,-.4,-1>,<1,.5,1>} object{Star} torus{.7,.2 translate .3*y} rotate 15*x}",
+        "merge{lathe{linear_spline 4,<0,0>,<.7,0>,<.7,.8>,<0,.8>} torus{.7,.2} cylinder{-.8*y,0,.7}}",
+        // What has no box.
+        "intersection{plane{y,.4} union{object{Foot} torus{.7,.2}} plane{-x,.5}}",
+        "difference{plane{y,-.3} object{Foot} torus{.8,.3 translate -.3*y}}",
+        "intersection{object{Foot} torus{.4,.3} clipped_by{sphere{.3*x,.8}}}",
+        // What is left where there is no surface.
+        "difference{box{-.8,.8} merge{object{Foot} cylinder{-y,y,.4 open} rotate 40*z}}",
+        "difference{torus{.7,.5} merge{torus{.2,.5} height_field{function 9,9{x*y} translate -.5}}}",
+    ] {
+        for finish in ["rgb<1,.7,.2>", "rgbf<.9,1,.9,.9>} finish{reflection{0,1 fresnel}} interior{ior 1.4"] {
+            // Far balls make a compound of too many solids to be asked one by one.
+            let [all, alone, beside] = [17, 0, 1].map(|balls| {
+                let sdl = format!(
+                    "{parts} global_settings{{max_trace_level 6}} camera{{location <0,1.5,-4> look_at 0 angle 40}}
+                    light_source{{<2,9,-3> rgb 1}} light_source{{<-3,-1.5,-6> rgb .5}}
+                    intersection{{{solid} #for(I,1,{balls}) sphere{{1e4*x+I,.1 inverse}} #end pigment{{{finish}}}}}
+                    plane{{y,-2.5 pigment{{checker rgb 1 rgb .3}}}}"
+                );
+                picture(&scene(&sdl, "3.7"), &RenderOptions::new(64, 48)).unwrap().image
+            });
+            for short in [alone, beside] {
+                let unlike = short.pixels.iter().zip(&all.pixels).filter(|(a, b)| a != b).count();
+                assert_eq!(unlike, 0, "{solid} {finish}");
+            }
+        }
     }
 }
 

@@ -15,6 +15,7 @@ mod odd;
 mod scratch;
 mod soon;
 mod survive;
+mod turns;
 
 pub(super) use scratch::Found;
 use soon::Unclear;
@@ -81,7 +82,7 @@ impl Parts {
             // Most compounds are cut out of a few convex solids, and by nothing else.
             Member::Group(number) if self.group(number).convex && self.group(number).limits.is_none() => {
                 let group = self.group(number);
-                if self.is_hidden(group, kind) {
+                if group.hidden.intersects(kind) {
                     return None;
                 }
                 self.nearest_of_convex(group, ray, range)
@@ -136,8 +137,11 @@ impl Parts {
         kind: RayKind,
         mut visit: impl FnMut(Found) -> bool,
     ) -> bool {
+        if self.hidden(member).intersects(kind) {
+            return false;
+        }
         if let Some(group) = self.as_convex(member) {
-            if self.is_hidden(group, kind) || !self.admits(member, ray) {
+            if !self.admits(member, ray) {
                 return false;
             }
             let known = widest(

@@ -23,12 +23,14 @@ pub(super) struct Room {
 
 impl Room {
     /// So many times as much as rounding may take.
+    #[inline]
     pub(super) fn new(ray: &Ray, times: f64) -> Self {
         let growth = times * COARSE;
         Self { least: growth * ray.origin.abs().max_element() / ray.direction.length(), growth }
     }
 
     /// At a distance; none where that is not finite.
+    #[inline]
     pub(super) fn at(&self, t: f64) -> f64 {
         if t.is_finite() { self.least + self.growth * t.abs() } else { 0.0 }
     }
@@ -142,17 +144,18 @@ impl Parts {
             }
             Member::Group(number) => {
                 let group = self.group(number);
-                let simple = group.is_simple();
-                if !simple && group.operation != Operation::Union {
-                    Err(Unclear)
-                } else if !self.admits(member, ray) || simple && self.is_hidden(group, kind) {
+                if group.hidden.intersects(kind) || !self.admits(member, ray) {
                     Ok(None)
                 } else if group.convex {
                     self.nearest_of_convex(group, ray, range)
                 } else if let Some(odd) = group.odd {
                     self.nearest_of_odd(group, odd, ray, range)
-                } else {
+                } else if group.operation == Operation::Union {
                     self.nearest_of_union(group, ray, range, kind)
+                } else if !group.turns.is_empty() {
+                    self.nearest_in_turn(group, ray, range)
+                } else {
+                    Err(Unclear)
                 }
             }
         }
@@ -207,7 +210,7 @@ impl Parts {
                     && group.is_simple()
                     && self.is_whole(member) =>
             {
-                if self.is_hidden(group, kind) || !self.admits(member, ray) {
+                if group.hidden.intersects(kind) || !self.admits(member, ray) {
                     return Ok(false);
                 }
                 match group.odd {
@@ -237,12 +240,5 @@ impl Parts {
     /// Whether nothing of a member is clipped away.
     pub(super) fn is_whole(&self, member: Member) -> bool {
         self.limits(member).is_none_or(|limits| limits.clips.is_empty())
-    }
-
-    /// Whether such rays don't see a compound whose members are all hidden from the same.
-    pub(super) fn is_hidden(&self, group: &Group, kind: RayKind) -> bool {
-        let hidden =
-            |&member| matches!(member, Member::Leaf(leaf) if self.leaf(leaf).hidden.intersects(kind));
-        group.members.first().is_some_and(hidden)
     }
 }
