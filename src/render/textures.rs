@@ -31,7 +31,7 @@ pub(super) fn placed_layers<'w>(
 ) -> Option<(&'w [Layer], Option<&'w Warps>)> {
     let number = whole(leaf, surface).filter(|_| leaf.own_textures().is_empty())?;
     let texture = &world.textures[number as usize];
-    let layers = texture.only_layers().filter(|_| world.settings.adc_bailout <= 1.0)?;
+    let layers = texture.layers().filter(|_| world.settings.adc_bailout <= 1.0)?;
     Some((layers, texture.placement()))
 }
 

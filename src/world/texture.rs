@@ -133,15 +133,6 @@ impl Texture {
         }
     }
 
-    /// The only layers, where the texture has no pattern, wherever they are to be seen.
-    #[inline]
-    pub fn only_layers(&self) -> Option<&[Layer]> {
-        match self {
-            Self::Even(layer) => Some(slice::from_ref(layer)),
-            Self::Placed { body, .. } => body.layers(),
-        }
-    }
-
     /// The way from the world to the space that its layers are in, if that is another.
     #[inline]
     pub fn placement(&self) -> Option<&Warps> {

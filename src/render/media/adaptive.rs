@@ -5,9 +5,9 @@
 
 use smallvec::SmallVec;
 
+use super::March;
 use super::intervals::Interval;
-use super::sample::{Mixture, Sample};
-use super::{March, transmittance};
+use super::sample::{Mixture, Sample, four_places};
 use crate::math::{Lanes, Rgb};
 use crate::render::trace::Tracer;
 
@@ -71,8 +71,7 @@ impl Tracer<'_> {
         for part in 1..=parts {
             let right = self.knot(march, interval, (f64::from(part) * spacing, spacing), known(2 * part));
             let value = self.refined(march, interval, [left, right], level, known(2 * part - 1));
-            sum.source += value.source * share * transmittance(sum.depth);
-            sum.depth += value.depth * share;
+            sum.add_behind(value, share);
             left = right;
         }
         sum
@@ -88,11 +87,7 @@ impl Tracer<'_> {
     ) -> SmallVec<[Mixture; 24]> {
         let (mut mixtures, count) = (SmallVec::new(), 2 * parts + 1);
         for first in (0..count).step_by(Lanes::COUNT) {
-            let (mut places, mut taken) = ([0.0; Lanes::COUNT], 0);
-            for (place, half) in places.iter_mut().zip(first..count) {
-                *place = place_of(half, spacing);
-                taken += 1;
-            }
+            let (places, taken) = four_places(first..count, |half| place_of(half, spacing));
             let four = self.media_mixtures(march, interval, &places[..taken]);
             mixtures.extend((0..taken).map(|lane| four.get(lane)));
         }
@@ -150,11 +145,9 @@ impl Tracer<'_> {
         let spacing = f64::from(parts + 1).recip();
         let (mut sum, count) = (Rgb::ZERO, 2 * parts + 1);
         for first in (0..count).step_by(Lanes::COUNT) {
-            let (mut places, mut taken) = ([0.0; Lanes::COUNT], 0);
-            for (place, half) in places.iter_mut().zip(first..count) {
-                *place = self.displaced(march, f64::from(half) / 2.0 * spacing, spacing);
-                taken += 1;
-            }
+            let (places, taken) = four_places(first..count, |half| {
+                self.displaced(march, f64::from(half) / 2.0 * spacing, spacing)
+            });
             let depths = self.media_depths(march, interval, &places[..taken]);
             for (half, lane) in (first..count).zip(0..taken) {
                 let depth = depths.get(lane);

@@ -1,10 +1,10 @@
 //! Method 3 where nothing is random and no lamp counts: parts are halved all at once and not one after the other, so
 //! that there are always several samples to take side by side.
 
+use super::March;
 use super::adaptive::{Knot, half, mean, place_of};
 use super::intervals::Interval;
 use super::sample::Sample;
-use super::{March, transmittance};
 use crate::math::Lanes;
 use crate::render::trace::Tracer;
 
@@ -104,8 +104,7 @@ impl Tracer<'_> {
         let share = (count as f32).recip();
         let mut sum = Sample::NOTHING;
         for value in tree.means.iter().rev().take(count as usize) {
-            sum.source += value.source * share * transmittance(sum.depth);
-            sum.depth += value.depth * share;
+            sum.add_behind(*value, share);
         }
         self.parts = tree;
         sum

@@ -1,9 +1,9 @@
 //! What media do at a point.
 
-use std::ops::{Add, Mul};
+use std::ops::{Add, Mul, Range};
 
-use super::March;
 use super::intervals::Interval;
+use super::{March, transmittance};
 use crate::math::color::FourRgb;
 use crate::math::{DVec3, Lanes, Rgb};
 use crate::render::trace::Tracer;
@@ -21,6 +21,13 @@ pub(super) struct Sample {
 impl Sample {
     /// Clear space.
     pub(super) const NOTHING: Self = Self { source: Rgb::ZERO, depth: Rgb::ZERO };
+
+    /// Adds a part of an interval behind those before, which dim it; `share` is the part's.
+    #[inline]
+    pub(super) fn add_behind(&mut self, part: Self, share: f32) {
+        self.source += part.source * share * transmittance(self.depth);
+        self.depth += part.depth * share;
+    }
 
     /// The same over a length.
     #[inline]
@@ -93,10 +100,26 @@ fn mixture(media: &[&Media], point: DVec3) -> Mixture {
     Mixture { unlit, scattered }
 }
 
+/// The places of the first four of samples with these numbers, and how many there are.
+#[inline(always)]
+pub(super) fn four_places(
+    numbers: Range<u32>,
+    mut place: impl FnMut(u32) -> f64,
+) -> ([f64; Lanes::COUNT], usize) {
+    let (mut places, mut taken) = ([0.0; Lanes::COUNT], 0);
+    for (at, number) in places.iter_mut().zip(numbers) {
+        *at = place(number);
+        taken += 1;
+    }
+    (places, taken)
+}
+
 /// The points at up to four places of an interval, the last as often as it takes.
 fn points(march: &March, interval: &Interval, places: &[f64]) -> [Lanes; 3] {
     let mut s = Lanes::splat(places[places.len() - 1]);
-    s.0[..places.len()].copy_from_slice(places);
+    for (lane, place) in s.0.iter_mut().zip(places) {
+        *lane = *place;
+    }
     s = s * interval.length + interval.start;
     let Ray { origin, direction, .. } = &march.stretch.ray;
     [s * direction.x + origin.x, s * direction.y + origin.y, s * direction.z + origin.z]

@@ -1,10 +1,8 @@
 //! Methods 1 and 2: a number of samples at random or in equal parts, then more while they vary
 //! (docs/spec/atmosphere-gi.md 2.7).
 
-use std::ops::Range;
-
 use super::intervals::Interval;
-use super::sample::{Mixture, Sample};
+use super::sample::{Mixture, Sample, four_places};
 use super::{March, transmittance};
 use crate::math::{Lanes, Rgb};
 use crate::render::trace::Tracer;
@@ -37,7 +35,7 @@ impl Tracer<'_> {
                 sums = add(self, place, None);
                 continue;
             }
-            let (places, taken) = self.strata(march, first..count, even);
+            let (places, taken) = four_places(first..count, |index| self.stratum(march, index, even));
             let known = self.media_mixtures(march, interval, &places[..taken]);
             for (lane, place) in places[..taken].iter().enumerate() {
                 sums = add(self, *place, Some(&known.get(lane)));
@@ -62,23 +60,13 @@ impl Tracer<'_> {
         let even = matches!(march.rule.method, Method::Even(_));
         let mut sum = Rgb::ZERO;
         for first in (0..count).step_by(Lanes::COUNT) {
-            let (places, taken) = self.strata(march, first..count, even);
+            let (places, taken) = four_places(first..count, |index| self.stratum(march, index, even));
             let depths = self.media_depths(march, interval, &places[..taken]);
             for lane in 0..taken {
                 sum += depths.get(lane);
             }
         }
         sum * (interval.length as f32 / count as f32)
-    }
-
-    /// The places of the first four of the samples with these numbers, and how many there are.
-    fn strata(&mut self, march: &March, indices: Range<u32>, even: bool) -> ([f64; Lanes::COUNT], usize) {
-        let (mut places, mut taken) = ([0.0; Lanes::COUNT], 0);
-        for (place, index) in places.iter_mut().zip(indices) {
-            *place = self.stratum(march, index, even);
-            taken += 1;
-        }
-        (places, taken)
     }
 
     /// The place of a sample, in parts of the interval.

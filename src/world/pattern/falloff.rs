@@ -22,8 +22,7 @@ pub(super) fn boxed(p: DVec3) -> f64 {
 /// [`boxed`] at four points.
 #[inline(always)]
 pub(super) fn boxed_at_four([x, y, z]: &[Lanes; 3]) -> Lanes {
-    let greater = |a: Lanes, b: Lanes| a.zip(b, |a, b| if a > b { a } else { b });
-    greater(x.abs(), greater(y.abs(), z.abs())).map(fall)
+    x.abs().greater(y.abs().greater(z.abs())).map(fall)
 }
 
 /// Falls away from the y axis.

@@ -18,8 +18,7 @@ impl Pattern {
                 (self.formula.in_lanes(&point), point)
             },
         );
-        tally::patterns(Lanes::COUNT);
-        self.finish_four(raw.unwrap_or_else(|| self.formula.four(&samples.moved(point))))
+        self.told(raw, &samples.moved(point))
     }
 
     /// [`Pattern::value_at`] of four points, which have gone through `warps` already.
@@ -28,8 +27,14 @@ impl Pattern {
             #[inline(always)]
             || self.formula.in_lanes(point),
         );
+        self.told(raw, &samples.moved(*point))
+    }
+
+    /// What the formula gives where it isn't found [in lanes](Formula::in_lanes), with frequency, phase and wave.
+    #[inline]
+    fn told(&self, in_lanes: Option<Lanes>, samples: &Samples) -> Lanes {
         tally::patterns(Lanes::COUNT);
-        self.finish_four(raw.unwrap_or_else(|| self.formula.four(&samples.moved(*point))))
+        self.finish_four(in_lanes.unwrap_or_else(|| self.formula.four(samples)))
     }
 
     /// Frequency, phase and wave of four values.
