@@ -57,16 +57,12 @@ impl Sums {
         self.values.0.map(|sum| (sum / self.count as f64) as f32)
     }
 
-    /// The variances of the means.
-    fn variances(&self) -> [f64; 4] {
-        widest(
-            #[inline(always)]
-            || {
-                let n = Lanes::splat(self.count as f64);
-                let mean = self.values / n;
-                ((self.squares / n - mean * mean) / n).0
-            },
-        )
+    /// The variance of the mean of a component.
+    #[inline]
+    fn variance(&self, component: usize) -> f64 {
+        let n = self.count as f64;
+        let mean = self.values.0[component] / n;
+        (self.squares.0[component] / n - mean * mean) / n
     }
 }
 
@@ -143,7 +139,7 @@ impl Eye<'_> {
                     |sample| sums.add(sample),
                 );
             }
-            if end == blur.max_samples() || blur.is_enough(sums.count, || sums.variances()) {
+            if end == blur.max_samples() || blur.is_enough(sums.count, |component| sums.variance(component)) {
                 break;
             }
         }

@@ -30,17 +30,19 @@ impl Met {
         part: Lanes::ZERO,
     };
 
-    /// Keeps crossings that are ahead and nearer than those before, or as near and of what was declared first.
+    /// With those crossings that are ahead and nearer than those before, or as near and of what was declared first.
     #[inline(always)]
-    fn take(&mut self, number: u32, distance: Lanes, part: Lanes) {
+    fn with(self, number: u32, distance: Lanes, part: Lanes) -> Self {
         let number = f64::from(number);
         let ahead = distance.map(|t| if t > 0.0 { t } else { f64::NAN });
         let first = self.object.map(|object| if number < object { 1.0 } else { 0.0 });
         let tie = ahead.zip(self.distance, |t, best| if t == best { 1.0 } else { 0.0 }) * first;
         let nearer = ahead.zip(self.distance, |t, best| if t < best { 1.0 } else { 0.0 }) + tie;
-        self.distance = ahead.where_positive(nearer, self.distance);
-        self.object = Lanes::splat(number).where_positive(nearer, self.object);
-        self.part = part.where_positive(nearer, self.part);
+        Self {
+            distance: ahead.where_positive(nearer, self.distance),
+            object: Lanes::splat(number).where_positive(nearer, self.object),
+            part: part.where_positive(nearer, self.part),
+        }
     }
 
     /// The bits of the rays whose crossings were told in full.
@@ -77,27 +79,33 @@ impl Asking<'_> {
         leaf.primitive.near_of_four(|| self.inner(leaf), met.distance)
     }
 
-    /// Asks one more object, if need be for the rays of which `near` gives the bits.
+    /// Asks one more object, if need be for the rays of which `near` gives the bits. What was met stays in registers:
+    /// numbers of which only some are written to memory are waited for.
     #[inline(always)]
-    fn visit(&self, number: u32, met: &mut Met, told: &mut Told, near: impl FnOnce(&Lanes) -> u32) {
+    fn visit(&self, number: u32, met: Met, told: &mut Told, near: impl FnOnce(&Lanes) -> u32) -> Met {
         if let Some(leaf) = self.lone(number) {
             if leaf.hidden.intersects(self.kind) {
-                return;
+                return met;
             }
             tally::primitives(Lanes::COUNT);
-            if let Some([distance, part]) = leaf.primitive.nearest_of_four(self.rays, met.distance) {
-                met.take(number, distance, part);
-            }
-            return;
+            return match leaf.primitive.nearest_of_four(self.rays, met.distance) {
+                Some([distance, part]) => met.with(number, distance, part),
+                None => met,
+            };
         }
-        let mut near = self.near(number, met).unwrap_or_else(|| near(&met.distance)) & self.asked;
-        if near.count_ones() > 1 && self.visit_together(near, number, met, told) {
-            return;
+        let mut near = self.near(number, &met).unwrap_or_else(|| near(&met.distance)) & self.asked;
+        if near == 0 {
+            return met;
+        }
+        let mut met = met;
+        if near.count_ones() > 1 && self.visit_together(near, number, &mut met, told) {
+            return met;
         }
         while near != 0 {
-            self.visit_alone(near.trailing_zeros() as usize % Lanes::COUNT, number, met, told);
+            self.visit_alone(near.trailing_zeros() as usize % Lanes::COUNT, number, &mut met, told);
             near &= near - 1;
         }
+        met
     }
 
     /// Asks an object for one ray.
@@ -206,7 +214,7 @@ impl Geometry {
                 let asking = Asking { geometry: self, rays, kind, asked: (1 << count) - 1 };
                 let mut met = Met::NOTHING;
                 for &number in self.unbounded() {
-                    asking.visit(number, &mut met, hits, |_| !0);
+                    met = asking.visit(number, met, hits, |_| !0);
                 }
                 let ground = met;
                 let told = if ground.told() == 0 { None } else { Some(*hits) };
@@ -215,7 +223,7 @@ impl Geometry {
                     if met.distance.bits(|distance| distance + come < boxed.entry) == 15 {
                         break;
                     }
-                    asking.visit(boxed.number, &mut met, hits, |ends| {
+                    met = asking.visit(boxed.number, met, hits, |ends| {
                         four.get_or_insert_with(|| Four::new(rays, within)).meet(boxed, ends)
                     });
                 }

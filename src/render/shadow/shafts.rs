@@ -36,13 +36,15 @@ pub(in crate::render) struct Shafts {
     cells: Vec<Shaft>,
 }
 
-/// A cell as a lamp sees it.
+/// A cell as a lamp sees it: in words as they are compared, for halves put together in memory would be waited for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Cell {
-    light: u32,
-    /// The exponent of half its width.
-    size: i32,
-    place: [i32; 3],
+    /// The number of the lamp, and the exponent of half the width of the cell.
+    lamp: u64,
+    /// Its place from the origin in widths, along x and y.
+    across: u64,
+    /// The same along z.
+    along: u64,
 }
 
 /// What was found out about a cell.
@@ -125,8 +127,10 @@ fn look(geometry: &Geometry, cell: Cell, width: f64, light: &Light) -> Option<Be
     if light.area.is_none() && light.projected_through.is_none() {
         return geometry.shade(light.location, &bounds).map(Between::Shade);
     }
-    let hull = Cell::hull(&bounds, light)?;
-    geometry.between(&hull).map(|found| Between::Screens(found.to_vec()))
+    let (points, mut found) = (Cell::ways(&bounds, light), Vec::new());
+    let finite = points.iter().all(|point| point.is_finite());
+    let few = finite && geometry.between(&Hull::new(&points), &mut found);
+    few.then_some(Between::Screens(found))
 }
 
 impl Cell {
@@ -142,28 +146,37 @@ impl Cell {
         let DVec3 { x, y, z } = surface.point * inverse;
         let near = (x.abs() < MOST) & (y.abs() < MOST) & (z.abs() < MOST);
         let known = near & (surface.error < ROOM * width);
-        let place = [floor(x), floor(y), floor(z)];
-        known.then_some((Self { light, size: exponent as i32, place }, width))
+        let two = |high: u32, low: u32| u64::from(high) << 32 | u64::from(low);
+        let [x, y, z] = [x, y, z].map(|along| floor(along) as u32);
+        let cell = Self { lamp: two(light, exponent as u32), across: two(x, y), along: z.into() };
+        known.then_some((cell, width))
+    }
+
+    /// Its place from the origin, in widths.
+    fn place(&self) -> [i32; 3] {
+        [(self.across >> 32) as i32, self.across as i32, self.along as i32]
     }
 
     /// Where it is remembered.
     #[inline]
     fn slot(&self) -> usize {
-        let Self { light, size, place: [x, y, z] } = *self;
-        let mix = |mixed: u32, number: u32| (mixed.rotate_left(11) ^ number).wrapping_mul(0x9e37_79b9);
-        let mixed = mix(mix(mix(mix(light, size as u32), x as u32), y as u32), z as u32);
-        (mixed >> 16) as usize % CELLS
+        // Products side by side, of which none waits for another: their high bits depend on all bits of the words.
+        let Self { lamp, across, along } = *self;
+        let mixed = (lamp.wrapping_mul(0x9e37_79b9_7f4a_7c15))
+            ^ (across.wrapping_mul(0xd1b5_4a32_d192_ed03))
+            ^ (along.wrapping_mul(0x8cb9_2ba7_2f3d_8dd7));
+        (mixed >> 48) as usize % CELLS
     }
 
     /// Where its points are.
     fn bounds(&self, width: f64) -> Bounds {
-        let [x, y, z] = self.place;
+        let [x, y, z] = self.place();
         let low = DVec3::new(f64::from(x), f64::from(y), f64::from(z)) * width;
         Bounds::new(low - ROOM * width, low + (1.0 + ROOM) * width)
     }
 
-    /// What encloses all ways from a cell to a lamp.
-    fn hull(cell: &Bounds, light: &Light) -> Option<Hull> {
+    /// The corners of what encloses all ways from a cell to a lamp.
+    fn ways(cell: &Bounds, light: &Light) -> Points {
         let mut points = Points::from_slice(&[light.location, cell.center()]);
         points.extend(cell.corners());
         match &light.area {
@@ -174,7 +187,7 @@ impl Cell {
             Some(area) => points.extend(area.corners(area.axes).map(|corner| light.location + corner)),
             None => {}
         }
-        points.iter().all(|point| point.is_finite()).then(|| Hull::new(points))
+        points
     }
 }
 
@@ -207,7 +220,7 @@ mod tests {
             let surface = Intersection::in_space(DVec3::new(point, -point, 0.0));
             let (cell, width) = Cell::around(1, &surface, wanted).unwrap();
             assert!(width >= wanted && width <= 2.0 * wanted, "{wanted}: {width}");
-            let low = cell.place.map(|x| f64::from(x) * width);
+            let low = cell.place().map(|x| f64::from(x) * width);
             assert!(low[0] <= point && point <= low[0] + width, "{point} {low:?}");
             assert!(low[1] <= -point && -point <= low[1] + width, "{point} {low:?}");
         }

@@ -126,10 +126,12 @@ impl FocalBlur {
         self.batches.get(index).copied().unwrap_or(4) as usize
     }
 
-    /// Whether `count` rays with these variances of their mean are enough.
-    pub fn is_enough(&self, count: usize, variances: impl FnOnce() -> [f64; 4]) -> bool {
-        count >= self.min_samples as usize
-            && variances().iter().all(|&variance| variance < self.thresholds[count - 1])
+    /// Whether `count` rays with these variances of their mean, by the number of the component, are enough. Mostly the
+    /// first tells.
+    #[inline]
+    pub fn is_enough(&self, count: usize, variance: impl Fn(usize) -> f64) -> bool {
+        let enough = |component| variance(component) < self.thresholds[count - 1];
+        count >= self.min_samples as usize && (0..4).all(enough)
     }
 }
 
