@@ -160,8 +160,9 @@ impl Tracer<'_> {
     }
 
     /// The lamps that reach a stretch, and where (docs/spec/atmosphere-gi.md 2.5).
-    fn look_for_lamps(&self, march: &mut March) {
+    fn look_for_lamps(&mut self, march: &mut March) {
         let (stretch, geometry) = (march.stretch, &self.world.geometry);
+        let mut screens = std::mem::take(&mut self.screens);
         let (even_air, mut room) = (self.even_air(), Numbers::new());
         for &number in stretch.lights.map_or(&[][..], |lights| lights.beside(&stretch.ray, &mut room)) {
             let light = &self.world.lights[number as usize];
@@ -170,15 +171,18 @@ impl Tracer<'_> {
             }
             let Some(reach) = light.reach(&stretch.ray, stretch.length) else { continue };
             let margin = stretch.length * march.rule.jitter.abs();
-            let hull = if march.scatters { bundle(stretch, march.rule, light, reach) } else { None };
             let one_place = light.area.is_none() && !light.runs_parallel();
             let simple = one_place && light.projected_through.is_none();
             let dims = self.dims(light);
             let air = even_air.filter(|_| dims);
             let simple = simple && self.quality.shadows && (!dims || air.is_some());
-            let among = hull.and_then(|hull| geometry.between(&hull)).map(|among| {
+            let mut points = Points::new();
+            let few = march.scatters
+                && bundle(stretch, march.rule, light, reach, &mut points)
+                && geometry.between(&Hull::new(&points), &mut screens);
+            let among = few.then(|| {
                 let first = march.between.len();
-                for &screen in &among {
+                for screen in &screens {
                     let mut shade = Range::LINE;
                     if one_place {
                         let bounds = geometry.bounds(screen.object);
@@ -193,7 +197,7 @@ impl Tracer<'_> {
                     }
                     let whole = simple && geometry.hides_a_stretch(screen.object, light.location);
                     march.between.push(Between {
-                        screen,
+                        screen: *screen,
                         shade,
                         view: screen.from(light.location),
                         shadow: whole.then(Shadow::default),
@@ -204,18 +208,19 @@ impl Tracer<'_> {
             });
             march.beams.push(Beam { light: number, reach, among, simple, air });
         }
+        self.screens = screens;
     }
 }
 
-/// What encloses all ways from a stretch to a lamp; `None` where that isn't known.
-fn bundle(stretch: &Stretch, rule: &Sampling, light: &Light, reach: Range) -> Option<Hull> {
+/// Finds the corners of what encloses all ways from a stretch to a lamp; tells whether that is known.
+fn bundle(stretch: &Stretch, rule: &Sampling, light: &Light, reach: Range, points: &mut Points) -> bool {
     // Jitter may take samples out of their interval. Without it none lies on the very end, where a
     // surface is.
     let margin = stretch.length * if rule.jitter == 0.0 { -END } else { rule.jitter.abs() };
     let ends = [reach.min - margin, reach.max + margin].map(|s| stretch.ray.at(s));
-    let mut points = Points::from_slice(&ends);
+    points.extend(ends);
     match &light.area {
-        Some(_) if light.parallel => return None,
+        Some(_) if light.parallel => return false,
         Some(area) if !area.orient => {
             points.push(light.location);
             points.extend(area.corners(area.axes).map(|corner| light.location + corner));
@@ -232,7 +237,7 @@ fn bundle(stretch: &Stretch, rule: &Sampling, light: &Light, reach: Range) -> Op
             end + incident.distance * incident.direction
         })),
     }
-    points.iter().all(|point| point.is_finite()).then(|| Hull::new(points))
+    points.iter().all(|point| point.is_finite())
 }
 
 impl<'s, 'w> March<'s, 'w> {

@@ -125,7 +125,7 @@ impl<'w> Eye<'w> {
             let starts = world.camera.starts(BESIDE / f64::from(options.width.min(options.height)))?;
             let first = *starts.first()?;
             let finite = starts.iter().all(|start| start.is_finite());
-            (finite && world.geometry.is_free(&Hull::new(starts))).then_some(first)
+            (finite && world.geometry.is_free(&Hull::new(&starts))).then_some(first)
         });
         let in_rows =
             matches!(&options.antialias, None | Some(Antialias { method: AntialiasMethod::Neighbours, .. }))

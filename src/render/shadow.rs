@@ -114,9 +114,12 @@ impl Tracer<'_> {
             self.shafts.back(shaft, screens);
             return color;
         }
-        let among = self.between(at, light, incident);
-        let among = among.as_deref().map(Among::Screens);
-        self.known_unblocked(&Target { among, ..*at }, light, incident)
+        let mut screens = std::mem::take(&mut self.screens);
+        let few = self.between(at, light, incident, &mut screens);
+        let among = few.then_some(Among::Screens(&screens));
+        let color = self.known_unblocked(&Target { among, ..*at }, light, incident);
+        self.screens = screens;
+        color
     }
 
     /// The same where objects in front of a lamp of one place were sifted, and the near ones kept.

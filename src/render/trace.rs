@@ -94,7 +94,7 @@ pub(super) struct Tracer<'w> {
     pub(super) row: Option<([f64; 2], bool)>,
     /// What they may meet after flat mirrors.
     pub(super) reflections: Reflections,
-    /// What may be in the way of the light at the sample of media at hand.
+    /// What may be in the way of the light at hand.
     pub(super) near: Vec<u32>,
     pub(super) screens: Vec<Screen>,
     /// What the places of the area light at hand show.

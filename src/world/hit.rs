@@ -21,9 +21,6 @@ const FEW: usize = 12;
 /// Lamps that are nearer to a box, in parts of its size, may touch what is in it.
 const ASIDE: f64 = 1e-6;
 
-/// Objects that may throw a shadow.
-pub type Nearby = SmallVec<[Screen; FEW]>;
-
 /// The only objects that may be in the way of light.
 #[derive(Clone, Copy, Debug)]
 pub enum Among<'a> {
@@ -233,10 +230,10 @@ impl Geometry {
         self.occluders_of(&self.parts.objects[number as usize], number, ray, range, &mut Vec::new())
     }
 
-    /// The objects that may stand in the way of light on straight ways inside of `hull`, most of which
-    /// lead to its first point; `None` if they are too many to be worth knowing.
-    pub fn between(&self, hull: &Hull) -> Option<Nearby> {
-        let mut found = Nearby::new();
+    /// Finds the objects that may stand in the way of light on straight ways inside of `hull`, most of which
+    /// lead to its first point; tells whether they are few enough to be worth knowing, and all in `found`.
+    pub fn between(&self, hull: &Hull, found: &mut Vec<Screen>) -> bool {
+        found.clear();
         let eye = hull.points()[0];
         let mut add = |number: u32| {
             if self.is_near(number, hull) {
@@ -245,7 +242,7 @@ impl Geometry {
             found.len() > FEW
         };
         let many = self.unbounded.iter().any(|&number| add(number)) || self.bounded.any_touching(hull, add);
-        (!many).then_some(found)
+        !many
     }
 
     /// Whether no surface is in `hull`, as far as boxes tell.

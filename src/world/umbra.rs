@@ -241,7 +241,11 @@ impl Geometry {
             let mut near = self.unbounded().iter().copied().chain(items);
             near.any(|number| !self.is_apart_from(number, &points) && is_dark(number))
         } else {
-            self.between(&Hull::new(points))?.iter().any(|screen| is_dark(screen.object))
+            let mut near = Vec::new();
+            if !self.between(&Hull::new(&points), &mut near) {
+                return None;
+            }
+            near.iter().any(|screen| is_dark(screen.object))
         };
         let many = among.len() > FEW;
         (!many).then_some(if dark { Shade::Dark } else { Shade::Among(among) })

@@ -6,7 +6,7 @@ use crate::math::wide::widest;
 use crate::math::{DVec2, DVec3, Rgb};
 use crate::render::trace::Tracer;
 use crate::world::accel::{Hull, Points};
-use crate::world::hit::{Among, Nearby};
+use crate::world::hit::Among;
 use crate::world::light::{AreaLight, Incident};
 use crate::world::outline::{Caster, Outlines, Sight};
 use crate::world::screen::{Cone, OPEN, SHUT, Screen, UNKNOWN, Verdict, View, sift};
@@ -75,12 +75,18 @@ struct Grid<'a> {
 }
 
 impl Tracer<'_> {
-    /// The objects that may be in the way of an area light that takes many rays; `None` where finding
-    /// them isn't worth while, or they are many.
-    pub(super) fn between(&self, at: &Target, light: &Light, incident: &Incident) -> Option<Nearby> {
-        let area = light.area.as_ref().filter(|_| self.quality.area_lights && !light.runs_parallel())?;
-        if area.least_rays() < MANY_RAYS {
-            return None;
+    /// Finds the objects that may be in the way of an area light that takes many rays; tells whether that is worth
+    /// while, and they are few.
+    pub(super) fn between(
+        &self,
+        at: &Target,
+        light: &Light,
+        incident: &Incident,
+        found: &mut Vec<Screen>,
+    ) -> bool {
+        let Some(area) = &light.area else { return false };
+        if !self.quality.area_lights || light.runs_parallel() || area.least_rays() < MANY_RAYS {
+            return false;
         }
         let Intersection { point, geometric, error, .. } = *at.surface;
         let axes = area.axes_towards(incident.direction);
@@ -91,7 +97,7 @@ impl Tracer<'_> {
         }
         points.extend(area.corners(axes).map(|corner| light.location + corner));
         let known = points.iter().all(|point| point.is_finite());
-        known.then(|| Hull::new(points)).and_then(|hull| self.world.geometry.between(&hull))
+        known && self.world.geometry.between(&Hull::new(&points), found)
     }
 
     /// The light that arrives from an area light.
@@ -172,7 +178,8 @@ impl Tracer<'_> {
             around.retain(|(screen, _)| !geometry.is_apart_from(screen.object, &points));
         }
         if grid.area.least_rays() >= VERY_MANY_RAYS && !around.is_empty() {
-            let hull = Hull::new(grid.points(origin).into_iter().collect());
+            let points = grid.points(origin);
+            let hull = Hull::new(&points);
             around.retain(|(screen, _)| hull.meets(&geometry.bounds(screen.object)));
         }
         if plan {

@@ -8,10 +8,10 @@ use std::ops::Range as Span;
 
 use smallvec::SmallVec;
 
-use super::Hull;
 use super::build::{self, Around, Item};
 use super::linear::Slabs;
 use super::node::{Lanes, NEAR, Node, Probe, SLACK, WIDTH};
+use super::{Hull, Points};
 use crate::math::{Bounds, DVec3, tally};
 use crate::world::ray::{Range, Ray};
 
@@ -278,7 +278,8 @@ impl Bvh {
         if !hull.meets(&self.whole) {
             return false;
         }
-        let hull = hull.mapped(|point| self.inner(point));
+        let points: Points = hull.points().iter().map(|&point| self.inner(point)).collect();
+        let hull = Hull::new(&points);
         let Bounds { min, max } = hull.around();
         let [low, high] = [min.to_array().map(rounded_down), max.to_array().map(rounded_up)];
         let touched = |node: &Node| {

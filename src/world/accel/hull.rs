@@ -14,8 +14,8 @@ pub type Points = SmallVec<[DVec3; 20]>;
 
 /// The convex hull of a few points around the triangle of the first three.
 #[derive(Clone, Debug)]
-pub struct Hull {
-    points: Points,
+pub struct Hull<'a> {
+    points: &'a [DVec3],
     bounds: Bounds,
     /// Directions in which the hull may be apart from a box that its own bounds meet, and from where to
     /// where it reaches along them.
@@ -32,9 +32,9 @@ struct Axes {
 /// Ten directions are three times four; along those that are missing, of no length, nothing is apart.
 const GROUPS: usize = 3;
 
-impl Hull {
+impl<'a> Hull<'a> {
     /// The hull of at least three finite points.
-    pub fn new(points: Points) -> Self {
+    pub fn new(points: &'a [DVec3]) -> Self {
         widest(
             #[inline(always)]
             || Self::of(points),
@@ -42,7 +42,7 @@ impl Hull {
     }
 
     #[inline(always)]
-    fn of(points: Points) -> Self {
+    fn of(points: &'a [DVec3]) -> Self {
         let sides = [points[1] - points[0], points[2] - points[0], points[2] - points[1]];
         let across = sides[0].cross(sides[1]).to_array();
         let nothing = Axes {
@@ -59,7 +59,7 @@ impl Hull {
             *z = Lanes([normal[2], -side.y, side.x, 0.0]);
         }
         let mut bounds = Bounds::EMPTY;
-        for &point in &points {
+        for &point in points {
             bounds = Bounds { min: bounds.min.min(point), max: bounds.max.max(point) };
             for Axes { direction: [x, y, z], reach: [low, high] } in &mut axes {
                 let place = *x * point.x + *y * point.y + *z * point.z;
@@ -71,8 +71,8 @@ impl Hull {
     }
 
     /// The points it was made of.
-    pub fn points(&self) -> &[DVec3] {
-        &self.points
+    pub fn points(&self) -> &'a [DVec3] {
+        self.points
     }
 
     /// The box outside of which the hull meets nothing.
@@ -85,11 +85,6 @@ impl Hull {
     #[inline]
     fn blur(&self) -> f64 {
         BLUR * self.bounds.min.abs().max(self.bounds.max.abs()).max_element()
-    }
-
-    /// The hull moved and scaled by `inner`, an affine map that doesn't turn.
-    pub(super) fn mapped(&self, inner: impl Fn(DVec3) -> DVec3) -> Self {
-        Self::new(self.points.iter().map(|&point| inner(point)).collect())
     }
 
     /// Whether the hull may share a point with the box.
@@ -127,8 +122,6 @@ impl Hull {
 
 #[cfg(test)]
 mod tests {
-    use smallvec::smallvec;
-
     use super::*;
     use crate::math::dice::numbers;
 
@@ -139,7 +132,8 @@ mod tests {
         for _ in 0..2000 {
             let mut point = || DVec3::new(number(), number(), number());
             let (a, b, light) = (4.0 * point(), 4.0 * point(), 4.0 * point());
-            let hull = Hull::new(smallvec![a, b, light]);
+            let points = [a, b, light];
+            let hull = Hull::new(&points);
             let center = 3.0 * point();
             let half = point().abs() * 0.8;
             let bounds = Bounds::new(center - half, center + half);

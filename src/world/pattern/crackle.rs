@@ -190,11 +190,9 @@ impl Seeds {
     fn sums_of_powers(&self, p: DVec3, m: f64) -> [f64; PLACES] {
         let mut sums = [f64::INFINITY; PLACES];
         for place in (0..PLACES).step_by(Lanes::COUNT) {
-            let [i, j, k, l] = [place, place + 1, place + 2, place + 3];
-            let part = |c: f64, seeds: &[f64; PLACES]| {
-                (-Lanes([seeds[i], seeds[j], seeds[k], seeds[l]]) + c).abs().power(m)
-            };
-            let Lanes(sum) = part(p.x, &self.x) + part(p.y, &self.y) + part(p.z, &self.z);
+            let Lanes(sum) = powers(p.x, &self.x, place, m)
+                + powers(p.y, &self.y, place, m)
+                + powers(p.z, &self.z, place, m);
             sums[place..place + Lanes::COUNT].copy_from_slice(&sum);
         }
         sums
@@ -213,6 +211,14 @@ impl Seeds {
         }
         sums
     }
+}
+
+/// The distances along an axis from a coordinate to four seeds, to a power. A function, for a closure would not be
+/// compiled for wide registers.
+#[inline(always)]
+fn powers(c: f64, seeds: &[f64; PLACES], first: usize, m: f64) -> Lanes {
+    let [i, j, k, l] = [first, first + 1, first + 2, first + 3];
+    (-Lanes([seeds[i], seeds[j], seeds[k], seeds[l]]) + c).abs().power(m)
 }
 
 /// The least sums in order: four lists side by side first, then of these two, then of all.
@@ -331,11 +337,16 @@ impl Crackle {
             return noise(generator, nearest);
         }
         let offset = self.metric.offset(self.offset);
-        let (form, mut sum) = (self.form.to_array(), 0.0);
+        let ([a, b, c], form) = (sums, self.form.to_array());
+        let Lanes(distances) = match counting {
+            1 => Lanes::splat(self.metric.distance(a + offset)),
+            _ => self.metric.distances(Lanes([a, b, c, c]) + offset),
+        };
+        let mut sum = 0.0;
         for place in 0..3 {
-            // What has no share needs no root, unless that is infinite and spoils the sum.
+            // What has no share doesn't count, unless it is infinite and spoils the sum.
             if form[place] != 0.0 || !self.metric.grows() {
-                sum += form[place] * self.metric.distance(sums[place] + offset);
+                sum += form[place] * distances[place];
             }
         }
         sum.clamp(0.0, 1.0)

@@ -131,16 +131,20 @@ impl Crackle {
     fn in_cell(&self, cell: [i32; 3], stretch: Stretch, mut near: Near) -> Strip {
         let Stretch { middle, spread, .. } = stretch;
         // Those of the other cells are a whole cell away from all points of this one.
-        let counting = self.counting();
-        if self.metric.distance(near.sums[counting - 1]) + spread >= 1.0 - ROUNDING {
+        let distances = |near: &Near| {
+            let Lanes(distances) = widest(
+                #[inline(always)]
+                || self.metric.distances(Lanes(near.sums)),
+            );
+            distances
+        };
+        let mut known = distances(&near);
+        if known[self.counting() - 1] + spread >= 1.0 - ROUNDING {
             near.meet_far(middle, cell, self.metric);
-        }
-        let mut distances = [f64::INFINITY; Near::COUNT];
-        for (distance, sum) in distances.iter_mut().zip(&near.sums[..=counting]) {
-            *distance = self.metric.distance(*sum);
+            known = distances(&near);
         }
         if let Some(generator) = self.solid {
-            let within = |place: usize| self.metric.distance(near.sums[place]) <= distances[0] + 2.0 * spread;
+            let within = |place: usize| known[place] <= known[0] + 2.0 * spread;
             if within(Near::COUNT - 1) {
                 return ANY;
             }
@@ -153,9 +157,9 @@ impl Crackle {
             if weight == 0.0 {
                 continue;
             }
-            let apart = |a: usize, b: usize| distances[b] - distances[a] > 2.0 * spread;
+            let apart = |a: usize, b: usize| known[b] - known[a] > 2.0 * spread;
             let alone = (k == 0 || apart(k - 1, k)) && apart(k, k + 1);
-            let strip = self.distance_along((distances[k], near.seeds[k]), stretch, alone);
+            let strip = self.distance_along((known[k], near.seeds[k]), stretch, alone);
             sum = [sum[0] + weight * strip[0], sum[1] + weight * strip[1], sum[2] + weight.abs() * strip[2]];
         }
         sum

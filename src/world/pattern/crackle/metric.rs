@@ -85,6 +85,17 @@ impl Metric {
         }
     }
 
+    /// The distances of four sums.
+    #[inline(always)]
+    pub(super) fn distances(self, sums: Lanes) -> Lanes {
+        match self {
+            Self::Square => sums.sqrt(),
+            Self::Absolute => sums,
+            Self::Halves(_) | Self::Power(_) if self.grows() => sums.power(self.exponent().recip()),
+            Self::Halves(_) | Self::Power(_) => sums.map(|sum| self.root(sum)),
+        }
+    }
+
     /// Out of line: powers are taken beforehand otherwise, for all metrics.
     #[inline(never)]
     pub(super) fn root(self, sum: f64) -> f64 {
