@@ -11,13 +11,15 @@ use std::cell::Cell;
 use smallvec::SmallVec;
 
 use super::Isosurface;
-use crate::math::roots::between;
+use super::root::{least_step, polished};
 use crate::math::wide::widest;
 use crate::math::{Band, DVec3, Lanes};
 
 /// A search along one ray, in which distances are lengths.
 pub(super) struct Search<'a> {
     pub(super) surface: &'a Isosurface,
+    /// A crossing that is surely before that need not be found exactly: some place behind it does.
+    pub(super) enough: f64,
     pub(super) origin: DVec3,
     /// Unit.
     pub(super) direction: DVec3,
@@ -31,29 +33,29 @@ pub(super) struct Search<'a> {
 
 /// A part of the ray in which there may be a crossing.
 #[derive(Clone, Copy)]
-struct Zone {
-    from: f64,
-    to: f64,
+pub(super) struct Zone {
+    pub(super) from: f64,
+    pub(super) to: f64,
     /// Whether the function is below zero at its end, for sure.
-    certain: bool,
+    pub(super) certain: bool,
     /// Whether nothing at all is known of the function in it.
-    unknown: bool,
+    pub(super) unknown: bool,
     /// About how steep it is.
-    slope: f64,
+    pub(super) slope: f64,
 }
 
 impl Zone {
-    fn new(from: f64, to: f64) -> Self {
+    pub(super) fn new(from: f64, to: f64) -> Self {
         Self { from, to, certain: false, unknown: false, slope: 0.0 }
     }
 }
 
-/// What the bands over the quarters of a zone say.
+/// What the bands over four stretches of a zone say, one behind the other.
 #[derive(Clone, Copy)]
 pub(super) struct Look {
-    middles: Lanes,
-    half: f64,
-    band: Band,
+    pub(super) middles: Lanes,
+    pub(super) halves: Lanes,
+    pub(super) band: Band,
 }
 
 impl Look {
@@ -61,6 +63,65 @@ impl Look {
     pub(super) fn starts_below(&self) -> Option<bool> {
         let (above, below) = (self.band.low().0[0] > 0.0, self.band.high().0[0] < 0.0);
         (above || below).then_some(below)
+    }
+
+    /// Puts what is left of the quarters of a zone on top of `waiting`, the first last.
+    /// Whether the function is below zero from the zone's start on. Gradients are met on the way.
+    #[inline(always)]
+    pub(super) fn divide(
+        self,
+        sign: f64,
+        waiting: &mut SmallVec<[Zone; 32]>,
+        meet_gradient: impl Fn(f64),
+    ) -> bool {
+        let Self { middles, halves, band } = self;
+        let band = band * sign;
+        let (low, high) = (band.low().0, band.high().0);
+        let below = waiting.len();
+        for i in 0..Lanes::COUNT {
+            if low[i] > 0.0 {
+                continue;
+            }
+            let (middle, half) = (middles.0[i], halves.0[i]);
+            let (from, to) = (middle - half, middle + half);
+            if high[i] < 0.0 {
+                if waiting.len() == below && i == 0 {
+                    return true;
+                }
+                // From here on it is below zero; what led here is at the last stretch's end.
+                waiting.push(Zone { certain: true, ..Zone::new(from, from) });
+                break;
+            }
+            let (c, k, e) = (band.middle.0[i], band.slope.0[i], band.reach.0[i]);
+            if !e.is_finite() {
+                waiting.push(Zone { unknown: true, ..Zone::new(from, to) });
+                continue;
+            }
+            // The mean value theorem: somewhere it is as steep as a straight line between both ends.
+            meet_gradient((k.abs() - e) / half);
+            // Where the line is no farther from zero than the reach.
+            let reach = loosened(e, c, k);
+            let [a, b] = [(c - reach) / k.abs(), (c + reach) / k.abs()].map(|s| s.clamp(-1.0, 1.0));
+            let zone = if k < 0.0 {
+                let (from, to) = ((middle + half * a).max(from), (middle + half * b).min(to));
+                Zone { certain: c + reach < k.abs(), slope: k / half, ..Zone::new(from, to) }
+            } else if k > 0.0 {
+                Zone::new(from, (middle - half * a).clamp(from, to))
+            } else {
+                Zone::new(from, to)
+            };
+            waiting.push(zone);
+            if zone.certain {
+                break;
+            }
+        }
+        let found = &mut waiting[below..];
+        found.reverse();
+        if found.first().is_some_and(|zone| zone.certain) {
+            // What comes later isn't first.
+            waiting.drain(..below);
+        }
+        false
     }
 }
 
@@ -81,6 +142,11 @@ const STEEPER: f64 = 1.1;
 /// Shares of the way that is passed over behind a surface, for the shortest that is enough to be off it.
 const SHARES: [f64; Lanes::COUNT] = [1.0, 1.0 / 16.0, 1.0 / 256.0, 1.0 / 4096.0];
 
+/// Stretches of a way that begins near the surface, which end at a 64th, a 16th, a quarter and all of it: their middles
+/// and half their lengths.
+const GRADES: [[f64; Lanes::COUNT]; 2] =
+    [[1.0 / 128.0, 5.0 / 128.0, 5.0 / 32.0, 5.0 / 8.0], [1.0 / 128.0, 3.0 / 128.0, 3.0 / 32.0, 3.0 / 8.0]];
+
 /// Units in the last place that the coordinates of a point on the surface may be off.
 const BLUR: f64 = 64.0;
 
@@ -90,26 +156,31 @@ const OWN_ROUNDING: f64 = 0.25;
 /// See [`Search::rough`].
 const ROUGH: f64 = 1.0 / 256.0;
 
-/// Steps of the secant method before the search for the last digits is given up.
-const STEPS: usize = 6;
-
 impl Search<'_> {
     pub(super) fn value(&self, t: f64) -> f64 {
         self.surface.value(self.origin + t * self.direction)
     }
 
     /// The first place behind `from` at which the value times `sign` becomes negative, up to `to`;
-    /// with the end of the stretch that POV-Ray finds it in. `look` is a look at the whole way, if there was one.
-    pub(super) fn first(&mut self, from: f64, to: f64, sign: f64, look: Option<Look>) -> Option<(f64, f64)> {
+    /// with the end of the stretch that POV-Ray finds it in. It isn't before the first place of `clear`, and may be before
+    /// the second. `look` is a look at the whole way, if there was one.
+    pub(super) fn first(
+        &mut self,
+        [from, to]: [f64; 2],
+        clear: Option<[f64; 2]>,
+        sign: f64,
+        look: Option<Look>,
+    ) -> Option<(f64, f64)> {
         let root = if self.surface.function.is_known() {
+            let [start, stop] = clear.map_or([from, to], |clear| clear.map(|place| place.clamp(from, to)));
             widest(
                 #[inline(always)]
-                || self.first_known(from, to, sign, look),
+                || self.first_known([start, stop, to], sign, look),
             )
         } else {
             self.first_by_gradient(from, to, sign)
         }?;
-        Some((root, self.cell_end(from, to, root)))
+        Some((root, cell_end(self.accuracy, [from, to], root)))
     }
 
     /// A look at the quarters of a stretch, if anything is known of the function.
@@ -125,20 +196,30 @@ impl Search<'_> {
     #[inline(always)]
     fn look_closer(&self, from: f64, to: f64) -> Look {
         let half = 0.125 * (to - from);
-        let middles = Lanes([1.0, 3.0, 5.0, 7.0]) * half + from;
-        Look { middles, half, band: self.enclose(middles, Lanes::splat(half)) }
+        let (middles, halves) = (Lanes([1.0, 3.0, 5.0, 7.0]) * half + from, Lanes::splat(half));
+        Look { middles, halves, band: self.enclose(middles, halves) }
+    }
+
+    /// A look at a whole way that begins near the surface: what is nearer is looked at closer.
+    pub(super) fn look_behind(&self, from: f64, to: f64) -> Option<Look> {
+        self.surface.function.is_known().then(|| {
+            let (middles, halves) = (Lanes(GRADES[0]) * (to - from) + from, Lanes(GRADES[1]) * (to - from));
+            Look { middles, halves, band: self.enclose(middles, halves) }
+        })
     }
 
     /// The first place behind `at`, on or beside the surface, and at most `most` behind, from which the function
-    /// is off zero for a while, and whether it is below; `None` where bands don't say.
-    pub(super) fn departure(&self, at: f64, most: f64) -> Option<(f64, bool)> {
+    /// is off zero for a while, the end of that while as far as it is known, and whether it is below; `None` where bands
+    /// don't say.
+    pub(super) fn departure(&self, at: f64, most: f64) -> Option<([f64; 2], bool)> {
         if !self.surface.function.is_known() {
             return None;
         }
         let halves = Lanes(SHARES) * (0.5 * most);
         let band = self.enclose(halves + at, halves);
+        let mut places = [None; Lanes::COUNT];
         let mut first: Option<(f64, bool)> = None;
-        for i in 0..Lanes::COUNT {
+        for (i, told) in places.iter_mut().enumerate() {
             let (c, k, e) = (band.middle.0[i], band.slope.0[i], band.reach.0[i]);
             let reach = loosened(e, c, k);
             let found = if c.abs() > k.abs() + reach {
@@ -151,11 +232,25 @@ impl Search<'_> {
                 }
                 (at + halves.0[i] * (1.0 + share.max(-1.0)), k < 0.0)
             };
+            *told = Some(found);
             first = Some(first.filter(|first| first.0 <= found.0).unwrap_or(found));
         }
         let shortest = 2.0 * halves.0[Lanes::COUNT - 1];
         let sure = first.map_or(most, |(place, _)| place - at);
-        if sure <= shortest { first } else { self.lifted(at, [shortest, sure]).or(first) }
+        if sure > shortest
+            && let Some((place, below)) = self.lifted(at, [shortest, sure])
+        {
+            return Some(([place; 2], below));
+        }
+        let (place, below) = first?;
+        // Each stretch may begin to tell where a shorter one still does.
+        let mut end = place;
+        for i in (0..Lanes::COUNT).rev() {
+            if places[i].is_some_and(|(from, is_below)| from <= end && is_below == below) {
+                end = end.max(at + 2.0 * halves.0[i]);
+            }
+        }
+        Some(([place, end], below))
     }
 
     /// The first of some places between two distances behind `at`, on the surface, where the value is more than that of
@@ -202,19 +297,21 @@ impl Search<'_> {
         band - Band::constant(self.surface.threshold)
     }
 
-    /// Where the stretch ends that holds `root` when the ray is halved until the halves are short enough.
-    fn cell_end(&self, from: f64, to: f64, root: f64) -> f64 {
-        let halvings = ((to - from) / self.accuracy).log2().floor() + 1.0;
-        let cell = (to - from) / halvings.max(0.0).exp2();
-        (from + (((root - from) / cell).floor() + 1.0) * cell).clamp(root, to)
-    }
-
+    /// The first crossing in both of two stretches, one behind the other.
     #[inline(always)]
-    fn first_known(&mut self, from: f64, to: f64, sign: f64, mut look: Option<Look>) -> Option<f64> {
+    fn first_known(
+        &mut self,
+        [from, middle, to]: [f64; 3],
+        sign: f64,
+        mut look: Option<Look>,
+    ) -> Option<f64> {
         let mut waiting: SmallVec<[Zone; 32]> = SmallVec::new();
         let coarse = (to - from) * COARSE;
         let mut looks = 0;
-        waiting.push(Zone::new(from, to));
+        if middle < to {
+            waiting.push(Zone::new(middle, to));
+        }
+        waiting.push(Zone::new(from, middle));
         while let Some(zone) = waiting.pop() {
             let length = zone.to - zone.from;
             if zone.unknown && length <= coarse {
@@ -222,6 +319,9 @@ impl Search<'_> {
                     Some(root) => return Some(root),
                     None => continue,
                 }
+            }
+            if zone.certain && zone.to < self.enough {
+                return Some(zone.to);
             }
             let fine = if zone.certain || looks > PATIENCE { self.accuracy } else { self.accuracy * FINEST };
             let middle = zone.from + 0.5 * length;
@@ -236,71 +336,23 @@ impl Search<'_> {
                 #[inline(always)]
                 || self.look_closer(zone.from, zone.to),
             );
-            if self.divide(look, sign, &mut waiting) {
+            let meet = |gradient| self.meet_gradient(gradient);
+            if look.divide(sign, &mut waiting, meet) {
                 return Some(zone.from);
             }
         }
         None
     }
 
-    /// Puts what is left of the quarters of a zone on top of `waiting`, the first last.
-    /// Whether the function is below zero from the zone's start on.
-    #[inline(always)]
-    fn divide(&self, look: Look, sign: f64, waiting: &mut SmallVec<[Zone; 32]>) -> bool {
-        let Look { middles, half, band } = look;
-        let band = band * sign;
-        let (low, high) = (band.low().0, band.high().0);
-        let below = waiting.len();
-        for i in 0..Lanes::COUNT {
-            if low[i] > 0.0 {
-                continue;
-            }
-            let middle = middles.0[i];
-            let (from, to) = (middle - half, middle + half);
-            if high[i] < 0.0 {
-                if waiting.len() == below && i == 0 {
-                    return true;
-                }
-                // From here on it is below zero; what led here is at the last stretch's end.
-                waiting.push(Zone { certain: true, ..Zone::new(from, from) });
-                break;
-            }
-            let (c, k, e) = (band.middle.0[i], band.slope.0[i], band.reach.0[i]);
-            if !e.is_finite() {
-                waiting.push(Zone { unknown: true, ..Zone::new(from, to) });
-                continue;
-            }
-            // The mean value theorem: somewhere it is as steep as a straight line between both ends.
-            self.meet_gradient((k.abs() - e) / half);
-            // Where the line is no farther from zero than the reach.
-            let reach = loosened(e, c, k);
-            let [a, b] = [(c - reach) / k.abs(), (c + reach) / k.abs()].map(|s| s.clamp(-1.0, 1.0));
-            let zone = if k < 0.0 {
-                let (from, to) = ((middle + half * a).max(from), (middle + half * b).min(to));
-                Zone { certain: c + reach < k.abs(), slope: k / half, ..Zone::new(from, to) }
-            } else if k > 0.0 {
-                Zone::new(from, (middle - half * a).clamp(from, to))
-            } else {
-                Zone::new(from, to)
-            };
-            waiting.push(zone);
-            if zone.certain {
-                break;
-            }
-        }
-        let found = &mut waiting[below..];
-        found.reverse();
-        if found.first().is_some_and(|zone| zone.certain) {
-            // What comes later isn't first.
-            waiting.drain(..below);
-        }
-        false
-    }
-
     /// The share of a stretch that steps must have come down to, to be taken for what rounding to single precision
     /// makes of them.
     fn rough(&self) -> f64 {
         if self.surface.function.is_single() { ROUGH } else { 0.0 }
+    }
+
+    /// The shortest step to a place that tells values apart: its point is rounded.
+    fn least_step(&self, t: f64) -> f64 {
+        least_step(self.origin.abs().max_element() + t)
     }
 
     fn meet_gradient(&self, gradient: f64) {
@@ -313,7 +365,7 @@ impl Search<'_> {
     fn settle(&self, zone: Zone, sign: f64) -> Option<f64> {
         let at = |t: f64| sign * self.value(t);
         if zone.certain
-            && let Some(root) = zone.straight_to_root(at, self.rough())
+            && let Some(root) = zone.straight_to_root(at, self.rough(), self.least_step(zone.to))
         {
             return Some(root);
         }
@@ -363,66 +415,15 @@ impl Search<'_> {
     }
 }
 
-impl Zone {
-    /// Where the function crosses zero in a zone at whose end it is below, if steps with the slope known and
-    /// then by the secant method stay in the zone.
-    fn straight_to_root(self, value: impl Fn(f64) -> f64, rough: f64) -> Option<f64> {
-        let mut t = 0.5 * (self.from + self.to);
-        let mut slope = self.slope;
-        let mut here = value(t);
-        let length = self.to - self.from;
-        let [mut last, mut before] = [length, 0.0];
-        for _ in 0..STEPS {
-            let next = t - here / slope;
-            if !(self.from <= next && next <= self.to) {
-                return None;
-            }
-            let step = (next - t).abs();
-            // Each step is the product of both before it times how much the function bends. Where that doesn't hold any
-            // more steps are of the size of what the function is rounded to.
-            let is_rough = step >= 0.5 * last && last <= rough * length;
-            let rest = step * (step / before).min(1.0);
-            if here == 0.0 || rest <= 0.25 * f64::EPSILON * t.abs() || is_rough {
-                return Some(next);
-            }
-            (before, last) = (last, step);
-            let there = value(next);
-            if there == here && step <= rough * length {
-                return Some(next);
-            }
-            slope = (there - here) / (next - t);
-            (t, here) = (next, there);
-        }
-        (last <= rough * length).then_some(t)
-    }
+/// Where the stretch of a way ends that holds `root` when the way is halved until the halves are as short as `accuracy`.
+pub(super) fn cell_end(accuracy: f64, [from, to]: [f64; 2], root: f64) -> f64 {
+    let halvings = ((to - from) / accuracy).log2().floor() + 1.0;
+    let cell = (to - from) / halvings.max(0.0).exp2();
+    (from + (((root - from) / cell).floor() + 1.0) * cell).clamp(root, to)
 }
 
 /// The reach of a band around `c + k s`, with room for rounding.
 #[inline(always)]
-fn loosened(reach: f64, c: f64, k: f64) -> f64 {
+pub(super) fn loosened(reach: f64, c: f64, k: f64) -> f64 {
     reach * (1.0 + 1e-9) + 1e-12 * (c.abs() + k.abs())
-}
-
-/// The root between two places with values of either sign, to the last digits.
-///
-/// Over a short stretch a function is nearly straight, and a few steps of the secant method do.
-fn polished(low: (f64, f64), high: (f64, f64), rough: f64, value: impl Fn(f64) -> f64) -> f64 {
-    let (mut a, mut b) = (low, high);
-    let line = |a: (f64, f64), b: (f64, f64)| a.0 + (b.0 - a.0) * (a.1 / (a.1 - b.1));
-    let short = rough * (high.0 - low.0);
-    let mut last = f64::INFINITY;
-    for _ in 0..STEPS {
-        let t = line(a, b);
-        if !(low.0 <= t && t <= high.0) {
-            break;
-        }
-        let step = (t - b.0).abs();
-        (a, b) = (b, (t, value(t)));
-        let is_rough = last <= short && (step >= 0.5 * last || b.1 == a.1);
-        if b.1 == 0.0 || step <= 2.0 * f64::EPSILON * t.abs() || is_rough {
-            return t;
-        }
-        last = step;
-    }
-    between(low, high, value)
 }
