@@ -65,6 +65,7 @@ pub(super) fn needs(flat: &Flat, textures: &TextureCompiler, interiors: &[Arc<In
     let mapped = flat.parts.leaves.iter().any(|leaf| leaf.flags.contains(LeafFlags::UV_MAPPING));
     Needs {
         uv: mapped || textures.uses_uv(),
+        normals: textures.uses_normals,
         images: textures.images.iter().map(|images| images.len() as u64).sum(),
         media: interiors.iter().any(|interior| !interior.media.is_empty()),
     }

@@ -55,6 +55,7 @@ impl TextureCompiler<'_> {
             octaves: octaves(turbulence),
             generator,
         });
+        self.uses_normals |= matches!(*field.pattern, From::Aoi | From::Slope(_));
         Ok(match &*field.pattern {
             From::Agate { turbulence } => Formula::Agate(to::agate::Agate {
                 strength: f64::from(*turbulence),

@@ -30,6 +30,8 @@ pub struct TextureCompiler<'a> {
     objects: Option<ObjectCompiler<'a>>,
     depth: u32,
     pub(super) uses_uv: bool,
+    /// Whether a pattern looks at surface normals.
+    pub(super) uses_normals: bool,
     /// Whether a finish lets light pass below the surface.
     pub(super) uses_subsurface: bool,
     /// Whether functions give the last digit that POV-Ray's give, where another way is faster.
@@ -56,6 +58,7 @@ impl<'a> TextureCompiler<'a> {
             objects: None,
             depth: 0,
             uses_uv: false,
+            uses_normals: false,
             uses_subsurface: false,
             last_digits: false,
             waves: None,

@@ -270,7 +270,13 @@ impl Tracer<'_> {
             let normal = world.geometry.surface(ray, hit).normal;
             return color.through() * interior.focus(normal.dot(ray.direction)) * fading;
         }
-        let surface = world.geometry.surface(ray, hit);
+        // Where no pattern asks for normals, the inside and the outside of one texture are the same to light.
+        let one_texture = leaf.texture.get().is_some() && leaf.interior_texture().is_none();
+        let surface = if one_texture && interior.caustics == 0.0 && !world.needs.normals {
+            Intersection::in_space(world.geometry.textured(ray, hit))
+        } else {
+            world.geometry.surface(ray, hit)
+        };
         let bumpy = self.quality.reflection;
         let mut filter = Rgb::ZERO;
         let mut add = |weight, layers: &[Layer], sample: &mut Sample| {

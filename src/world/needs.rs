@@ -5,6 +5,8 @@
 pub struct Needs {
     /// Texture coordinates.
     pub uv: bool,
+    /// Surface normals, for patterns.
+    pub normals: bool,
     /// How many images are decoded.
     pub images: u64,
     /// Media inside objects.

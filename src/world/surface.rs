@@ -87,6 +87,17 @@ impl Geometry {
         Intersection::seen_by(ray, leaf, details(leaf, ray, hit))
     }
 
+    /// Where textures are looked up at a hit of `ray`: what [`surface`](Self::surface) says of that, without normals.
+    pub fn textured(&self, ray: &Ray, hit: &Hit) -> DVec3 {
+        let leaf = self.parts().leaf(hit.leaf);
+        let inner = leaf.inner(ray);
+        let place = match leaf.primitive.lag(&hit.crossing) {
+            0.0 => leaf.primitive.reproject(inner.at(hit.t), &hit.crossing),
+            lag => inner.at(hit.t + lag),
+        };
+        leaf.transform.as_ref().map_or(place, |transform| transform.point(place))
+    }
+
     /// Texture coordinates of a hit at `point`; x and y of the point where the shape has none.
     pub fn uv(&self, hit: &Hit, point: DVec3) -> DVec2 {
         tally::texture_coordinates(1);

@@ -219,3 +219,34 @@ fn rays_of_a_mesh_camera_meet_together_what_they_meet_alone() {
         assert!(colors.len() > 200, "{place} {spread} {reach}: {} colours", colors.len());
     }
 }
+
+#[test]
+fn light_through_a_pattern_is_the_same_whether_or_not_some_pattern_asks_for_normals() {
+    for shape in [
+        "sphere{0,1 rotate 30}",
+        "box{-.8,.7 rotate <20,40,0>}",
+        "torus{.7,.3 rotate 40*x}",
+        "cone{-y,.8,y,.2 rotate 25*z}",
+        "polygon{5,<-1,-1>,<1,-1>,<1,1>,<-1,1>,<-1,-1> rotate 80*x scale <1,1,.7>}",
+        "superellipsoid{<.4,.3> rotate 35}",
+        "blob{threshold .4 sphere{<-.3,0,0>,1,1} sphere{<.5,0,0>,.8,1} rotate 20}",
+        "isosurface{function{x*x+y*y*2+z*z-.6} contained_by{box{-1,1}} max_gradient 6 rotate 15}",
+        "mesh{triangle{<-1,0,-1>,<1,0,-1>,<0,.3,1>} smooth_triangle{<-1,.5,-1>,y,<1,.5,-1>,x+y,<0,.6,1>,y-z}}",
+        "intersection{sphere{0,1} cylinder{-y,y,.7} bounded_by{box{-1,1}} scale <1,.8,1>}",
+        "difference{sphere{0,.9} plane{y,-.2}}",
+    ] {
+        let [plain, asked] = ["", "sphere{1e5,.1 pigment{slope{y} color_map{[0 rgb 0][1 rgb 1]}}}"].map(|beside| {
+            let sdl = format!(
+                "camera{{location <0,5,-5> look_at -y}} light_source{{<1,9,-2> rgb 1}} {beside} plane{{y,-2 pigment{{rgb 1}}}}
+                object{{{shape} pigment{{bozo scale .4 color_map{{[.3 rgbf <1,.2,.1,.9>][.6 rgbt <.2,.6,1,.5>]}}}}}}
+                object{{{shape} translate 2.5*x texture{{pigment{{checker rgbt 1, rgbf <1,1,0,.7> scale .3}}}}
+                    interior_texture{{pigment{{rgbt <0,1,0,.5>}}}}}}
+                object{{{shape} translate -2.5*x texture{{gradient y texture_map{{[.4 pigment{{rgbt <1,0,1,.4>}}]
+                    [.6 pigment{{marble color_map{{[0 rgbt 1][1 rgbf <.3,.9,.5,1>]}}}}]}}}}}}"
+            );
+            picture(&scene(&sdl, "3.7"), &RenderOptions::new(64, 48)).unwrap().image
+        });
+        let unlike = plain.pixels.iter().zip(&asked.pixels).filter(|(a, b)| a != b).count();
+        assert_eq!(unlike, 0, "{shape}");
+    }
+}
