@@ -148,7 +148,8 @@ impl Parts {
     #[inline(always)]
     fn meet(&self, group: &Group, ray: &Ray, range: Range, all: &mut Stretches) -> bool {
         let common = group.operation == Operation::Intersection;
-        let mut members = &group.members;
+        // Solids before what is cut out of them.
+        let mut members = &group.turns;
         if let Some(facets) = &group.facets {
             members = &facets.others;
             let met = facets.common(ray, |distances| {
@@ -168,10 +169,17 @@ impl Parts {
             }
             (all.common, all.count) = (2, 2);
         }
+        let mut is_known = !common;
         for &member in members {
             let Member::Leaf(number) = member else { continue };
             let leaf = self.leaf(number);
             let inverted = leaf.flags.contains(LeafFlags::INVERTED);
+            if inverted && !is_known {
+                if !all.have_common(range) {
+                    return false;
+                }
+                is_known = true;
+            }
             let met = leaf.primitive.span(&leaf.asked(ray)).filter(|stretch| {
                 !all.is_before(stretch.leave.t, range.min) && !all.is_before(range.max, stretch.enter.t)
             });
@@ -220,6 +228,21 @@ impl Stretches {
     #[inline(always)]
     fn is_before(&self, t: f64, other: f64) -> bool {
         other - t > self.room(t)
+    }
+
+    /// Whether all that are not inverted so far may have something in common in a range.
+    #[inline(always)]
+    fn have_common(&self, range: Range) -> bool {
+        let (mut enter, mut leave) = (f64::NEG_INFINITY, f64::INFINITY);
+        for place in 0..self.count.min(MOST) {
+            if !self.inverted[place] {
+                enter = if self.enter[place] > enter { self.enter[place] } else { enter };
+                leave = if self.leave[place] < leave { self.leave[place] } else { leave };
+            }
+        }
+        !self.is_before(leave, enter)
+            && !self.is_before(leave, range.min)
+            && !self.is_before(range.max, enter)
     }
 
     /// The edge, if no other is so close that they may coincide.
