@@ -178,7 +178,7 @@ impl Cuboid {
     }
 
     /// The distances between which a line is inside.
-    #[inline]
+    #[inline(always)]
     pub(super) fn span(&self, ray: &Ray) -> Option<Stretch> {
         let (enter, leave) = self.faces(ray)?.between();
         Stretch::new(enter, UNSAID, leave, UNSAID)

@@ -91,7 +91,7 @@ impl Shape for Cylinder {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         let stretch = self.stretch(ray)?;
         let counts = |end: &End| range.contains(end.t) && !(self.open && end.part != SIDE);

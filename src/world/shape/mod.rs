@@ -127,6 +127,7 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
     }
 
     /// Whether anything is crossed in `range`.
+    #[inline(always)]
     fn occludes(&self, ray: &Ray, range: Range) -> bool {
         self.nearest(ray, range).is_some()
     }

@@ -34,7 +34,7 @@ impl Plane {
     }
 
     /// The half-line inside.
-    #[inline]
+    #[inline(always)]
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
         let (height, size) = self.height(ray.origin);
         let slope = self.normal.dot(ray.direction);
@@ -59,18 +59,18 @@ impl Shape for Plane {
         out.extend(self.nearest(ray, range));
     }
 
-    #[inline]
+    #[inline(always)]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         // A parallel ray divides by zero: neither infinity nor NaN is in any range.
         let t = -self.height(ray.origin).0 / self.normal.dot(ray.direction);
         range.contains(t).then(|| Crossing::new(t, 0))
     }
 
-    /// The surface belongs to the inside, also where rounding put a point of it outside.
     fn is_closed(&self) -> bool {
         true
     }
 
+    /// The surface belongs to the inside, also where rounding put a point of it outside.
     fn inside(&self, point: DVec3) -> bool {
         let (height, size) = self.height(point);
         height <= ON_SURFACE * size

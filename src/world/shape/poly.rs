@@ -330,11 +330,11 @@ impl Shape for Poly {
         }
     }
 
-    /// The surface is inside, as far as rounding can tell. POV-Ray adds all values below 1e-4.
     fn is_closed(&self) -> bool {
         true
     }
 
+    /// The surface is inside, as far as rounding can tell. POV-Ray adds all values below 1e-4.
     fn inside(&self, point: DVec3) -> bool {
         let value = self.sum(point.to_array(), |c| c);
         let size = self.sum(point.abs().to_array(), f64::abs);

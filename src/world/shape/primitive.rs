@@ -143,14 +143,21 @@ impl Primitive {
     pub fn convex(&self, ray: &Ray) -> Option<Option<Stretch>> {
         match self {
             Self::Sphere(sphere) => Some(sphere.stretch(ray)),
-            Self::Box(cuboid) => Some(cuboid.stretch(ray)),
+            Self::Box(cuboid) => Some(cuboid.stretch(&own(ray))),
             Self::Plane(plane) => Some(plane.stretch(ray)),
             Self::Cylinder(cylinder) if !cylinder.open => Some(cylinder.stretch(ray)),
-            Self::Cone(cone) if cone.is_convex() => Some(cone.stretch(ray)),
-            Self::Quadric(quadric) if quadric.is_convex() => Some(quadric.stretch(ray)),
+            Self::Cone(cone) if cone.is_convex() => Some(cone.stretch(&own(ray))),
+            Self::Quadric(quadric) if quadric.is_convex() => Some(quadric.stretch(&own(ray))),
             _ => None,
         }
     }
+}
+
+/// A copy for one who is asked apart: a ray of which nobody has the address stays in registers, and none that is stored in
+/// other pieces than it is read in is waited for.
+#[inline(always)]
+fn own(ray: &Ray) -> Ray {
+    *ray
 }
 
 macro_rules! each {
@@ -186,12 +193,12 @@ impl Shape for Primitive {
 
     #[inline(always)]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
-        each!(self, shape => shape.nearest(ray, range))
+        each!(self, shape => shape.nearest(&own(ray), range))
     }
 
     #[inline(always)]
     fn occludes(&self, ray: &Ray, range: Range) -> bool {
-        each!(self, shape => shape.occludes(ray, range))
+        each!(self, shape => shape.occludes(&own(ray), range))
     }
 
     fn is_flat(&self) -> bool {

@@ -100,7 +100,7 @@ impl Shape for Sphere {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn nearest(&self, ray: &Ray, range: Range) -> Option<Crossing> {
         self.stretch(ray)?.nearest(range)
     }
