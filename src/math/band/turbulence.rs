@@ -25,9 +25,10 @@ const SLOP: [f64; 2] = [1e-9, 64.0 * f64::EPSILON];
 
 impl Band {
     /// Noise at points, 0 … 1.
+    #[inline(always)]
     pub fn noise(generator: u8, point: [Self; 3]) -> Self {
-        let [x, y, z] = point.map(|c| c.slope);
-        if (x * x + y * y + z * z - VAGUE).all_positive() {
+        let [x, y, z] = &point;
+        if (Lanes::dot(&[x.slope, y.slope, z.slope], &[x.slope, y.slope, z.slope]) - VAGUE).all_positive() {
             return Self { reach: Lanes::splat(0.5), ..Self::constant(0.5) };
         }
         widest(

@@ -97,23 +97,73 @@ pub fn along(generator: u8, middle: [Lanes; 3], slope: [Lanes; 3], reach: [Lanes
     if generator == 3 {
         let [x, y, z] = middle;
         let moved = [x + PERLIN_SHIFT, y + PERLIN_SHIFT, z + PERLIN_SHIFT];
-        let corners = [perlin_corners(&moved, 0), perlin_corners(&moved, 1)];
-        let others = [perlin_corners(&moved, 2), perlin_corners(&moved, 3)];
-        return Cells::new(moved, slope, &PERLIN.slopes, corners, others).sum(reach, brought);
+        let first = perlin_corners(&moved, 0);
+        if are_in_one_cell(&moved) {
+            return Cells::new(moved, slope, &PERLIN.slopes, One(first)).sum(reach, brought);
+        }
+        let others = [perlin_corners(&moved, 1), perlin_corners(&moved, 2), perlin_corners(&moved, 3)];
+        return Cells::new(moved, slope, &PERLIN.slopes, Four(first, others)).sum(reach, brought);
     }
-    let corners = [lattice_corners(&middle, 0), lattice_corners(&middle, 1)];
-    let others = [lattice_corners(&middle, 2), lattice_corners(&middle, 3)];
-    Cells::new(middle, slope, &SLOPES, corners, others).sum(reach, brought)
+    let first = lattice_corners(&middle, 0);
+    if are_in_one_cell(&middle) {
+        return Cells::new(middle, slope, &SLOPES, One(first)).sum(reach, brought);
+    }
+    let others = [lattice_corners(&middle, 1), lattice_corners(&middle, 2), lattice_corners(&middle, 3)];
+    Cells::new(middle, slope, &SLOPES, Four(first, others)).sum(reach, brought)
+}
+
+/// Whether four points are in the same cell of a lattice, as those of short stretches mostly are.
+#[inline(always)]
+fn are_in_one_cell([x, y, z]: &[Lanes; 3]) -> bool {
+    let apart = |c: &Lanes| {
+        let plane = c.map(f64::floor);
+        (plane - plane.0[0]).abs()
+    };
+    (apart(x) + apart(y) + apart(z)).bits(|apart| apart == 0.0) == 15
 }
 
 /// The places in a table of the planes of a cell's corners: bit 0 of a corner's place is the side in x, bit 1 in y,
 /// bit 2 in z; each plane is a height above the corner, and slopes.
 type Corners = [usize; 8];
 
+/// The cells that four points are in.
+trait Place {
+    /// A number of the plane of a corner of each.
+    fn part<const SIZE: usize>(&self, table: &[[f64; 4]; SIZE], side: usize, i: usize) -> Lanes;
+}
+
+/// The same cell for all.
+struct One(Corners);
+
+/// The cell of the first, and those of the others.
+struct Four(Corners, [Corners; 3]);
+
+impl Place for One {
+    #[inline(always)]
+    fn part<const SIZE: usize>(&self, table: &[[f64; 4]; SIZE], side: usize, i: usize) -> Lanes {
+        Lanes::splat(table[self.0[side] & (SIZE - 1)][i])
+    }
+}
+
+impl Place for Four {
+    #[inline(always)]
+    fn part<const SIZE: usize>(&self, table: &[[f64; 4]; SIZE], side: usize, i: usize) -> Lanes {
+        let Self(first, others) = self;
+        let at = [first[side], others[0][side], others[1][side], others[2][side]];
+        let mask = SIZE - 1;
+        Lanes([
+            table[at[0] & mask][i],
+            table[at[1] & mask][i],
+            table[at[2] & mask][i],
+            table[at[3] & mask][i],
+        ])
+    }
+}
+
 /// Four lines, and the cells that their middles are in.
-struct Cells<const SIZE: usize> {
+struct Cells<P, const SIZE: usize> {
     table: &'static [[f64; 4]; SIZE],
-    corners: [Corners; 4],
+    place: P,
     /// Of the middles, from the cells' lower planes.
     offset: [Lanes; 3],
     slope: [Lanes; 3],
@@ -121,27 +171,19 @@ struct Cells<const SIZE: usize> {
     rounding: Lanes,
 }
 
-impl<const SIZE: usize> Cells<SIZE> {
+impl<P: Place, const SIZE: usize> Cells<P, SIZE> {
     #[inline(always)]
-    fn new(
-        middle: [Lanes; 3],
-        slope: [Lanes; 3],
-        table: &'static [[f64; 4]; SIZE],
-        [first, second]: [Corners; 2],
-        [third, fourth]: [Corners; 2],
-    ) -> Self {
+    fn new(middle: [Lanes; 3], slope: [Lanes; 3], table: &'static [[f64; 4]; SIZE], place: P) -> Self {
         let [x, y, z] = middle;
         let offset = [x - x.map(f64::floor), y - y.map(f64::floor), z - z.map(f64::floor)];
         let far = x.abs() + y.abs() + z.abs();
         let rounding = (far * f64::EPSILON).where_positive(-far + FAR, Lanes::splat(f64::INFINITY));
-        Self { table, corners: [first, second, third, fourth], offset, slope, rounding }
+        Self { table, place, offset, slope, rounding }
     }
 
     #[inline(always)]
     fn part(&self, side: usize, i: usize) -> Lanes {
-        let at = [self.corners[0][side], self.corners[1][side], self.corners[2][side], self.corners[3][side]];
-        let (low, mask) = (self.table, SIZE - 1);
-        Lanes([low[at[0] & mask][i], low[at[1] & mask][i], low[at[2] & mask][i], low[at[3] & mask][i]])
+        self.place.part(self.table, side, i)
     }
 
     /// From a side's plane.
@@ -333,6 +375,27 @@ mod tests {
         };
         check(&lattice, LATTICE);
         check(&gradients, GRADIENTS);
+    }
+
+    #[test]
+    fn lines_in_cells_of_their_own_are_as_they_are_alone() {
+        for generator in 1..=3 {
+            for n in 0..2000_u32 {
+                let number =
+                    |lane: usize, by: f64| (f64::from(n * 4 + lane as u32) * by).fract() * 14.0 - 7.0;
+                let four = |by: f64, size: f64| Lanes([0, 1, 2, 3].map(|lane| number(lane, by) * size));
+                let middle = [four(0.754_877_666, 1.0), four(0.569_840_290_9, 1.0), four(0.430_159_709, 1.0)];
+                let slope = [four(0.123_456, 0.03), four(0.377_1, 0.03), four(0.918_27, 0.03)];
+                let found = along(generator, middle, slope, [Lanes::ZERO; 3]);
+                for lane in 0..Lanes::COUNT {
+                    let alone = |of: [Lanes; 3]| of.map(|c| Lanes::splat(c.0[lane]));
+                    let one = along(generator, alone(middle), alone(slope), [Lanes::ZERO; 3]);
+                    let parts =
+                        |of: &Along, lane: usize| [of.value, of.rise, of.bend, of.off].map(|c| c.0[lane]);
+                    assert_eq!(parts(&found, lane), parts(&one, 0), "generator {generator}, {n}");
+                }
+            }
+        }
     }
 
     #[test]

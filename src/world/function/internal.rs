@@ -27,6 +27,8 @@ pub struct Internal {
     lanes: Formula<Lanes>,
     bands: Formula<Band>,
     slants: Formula<Slant>,
+    /// The generator of one that is but noise at the point: most functions of noise are made of it.
+    generator: Option<u8>,
 }
 
 impl Internal {
@@ -38,7 +40,8 @@ impl Internal {
         let (_, bands) = find(number, generator)?;
         let (_, slants) = find(number, generator)?;
         let exact = noise::find::<f64>(number, generator).is_some();
-        Some(Self { parameters: parameters + 3, exact, formula, lanes, bands, slants })
+        let generator = noise::plain(number, generator);
+        Some(Self { parameters: parameters + 3, exact, formula, lanes, bands, slants, generator })
     }
 
     /// The value; missing arguments count as 0.
@@ -83,8 +86,11 @@ impl Internal {
     }
 
     /// What holds the values at all points that these hold.
-    #[inline]
+    #[inline(always)]
     pub(super) fn band(&self, [x, y, z]: [Band; 3], parameters: &[Band]) -> Band {
+        if let Some(generator) = self.generator {
+            return Band::noise(generator, [x, y, z]);
+        }
         (self.bands)(x, y, z, parameters)
     }
 

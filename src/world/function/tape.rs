@@ -199,11 +199,17 @@ impl Tape {
     #[inline(always)]
     fn evaluate_in<N: Operand, const SIZE: usize>(&self, arguments: &[N], budget: &Budget) -> Option<N> {
         let mut r = [N::constant(0.0); SIZE];
-        for (register, argument) in r.iter_mut().zip(&arguments[..arguments.len().min(self.parameters)]) {
-            *register = *argument;
+        // Counted: adapters of iterators are calls here.
+        let given = &arguments[..arguments.len().min(self.parameters)];
+        let mut at = 0;
+        while let Some(argument) = given.get(at) {
+            r[at & (SIZE - 1)] = *argument;
+            at += 1;
         }
-        for (register, constant) in r[self.first_constant..].iter_mut().zip(&self.constants) {
-            *register = N::constant(*constant);
+        at = 0;
+        while let Some(constant) = self.constants.get(at) {
+            r[(self.first_constant + at) & (SIZE - 1)] = N::constant(*constant);
+            at += 1;
         }
         let whole = Way { from: 0, to: self.ops.len() };
         self.steps(whole, &mut r, budget).then(|| r[usize::from(self.result) & (SIZE - 1)])
@@ -382,6 +388,7 @@ impl Operand for Band {
         function.enclose_within(arguments, component, budget)
     }
 
+    #[inline(always)]
     fn internal(internal: &Internal, point: [Self; 3], parameters: &[Self]) -> Self {
         internal.band(point, parameters)
     }

@@ -24,6 +24,11 @@ pub(super) fn find<N: Number>(number: u8, generator: u8) -> Option<(usize, Formu
     })
 }
 
+/// The generator of the function that is noise of the scene's.
+pub(super) fn plain(number: u8, generator: u8) -> Option<u8> {
+    (number == 76).then_some(if matches!(generator, 1 | 3) { generator } else { 2 })
+}
+
 fn generator_of(parameter: f64) -> u8 {
     (parameter as i32 & 3) as u8
 }

@@ -125,6 +125,7 @@ impl Number for Band {
         }
     }
 
+    #[inline(always)]
     fn noise(generator: u8, point: [Self; 3]) -> Self {
         Self::noise(generator, point)
     }

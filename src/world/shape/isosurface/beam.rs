@@ -256,7 +256,7 @@ impl<'a> Beam<'a> {
                         let (c, k) = (c.0[lane], k.0[lane]);
                         let reach = loosened(reach.0[lane], c, k);
                         if k < 0.0 && c + reach < -k {
-                            let [a, b] = [(c - reach) / -k, (c + reach) / -k].map(|s| s.max(-1.0));
+                            let (a, b) = (((c - reach) / -k).max(-1.0), ((c + reach) / -k).max(-1.0));
                             let (middle, half) = (middle.0[lane], half.0[lane]);
                             from.0[lane] = from.0[lane].max(middle + half * a);
                             to.0[lane] = to.0[lane].min(middle + half * b);

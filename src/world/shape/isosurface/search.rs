@@ -101,7 +101,9 @@ impl Look {
             meet_gradient((k.abs() - e) / half);
             // Where the line is no farther from zero than the reach.
             let reach = loosened(e, c, k);
-            let [a, b] = [(c - reach) / k.abs(), (c + reach) / k.abs()].map(|s| s.clamp(-1.0, 1.0));
+            // Written out: closures given to arrays' methods are calls.
+            let a = ((c - reach) / k.abs()).clamp(-1.0, 1.0);
+            let b = ((c + reach) / k.abs()).clamp(-1.0, 1.0);
             let zone = if k < 0.0 {
                 let (from, to) = ((middle + half * a).max(from), (middle + half * b).min(to));
                 Zone { certain: c + reach < k.abs(), slope: k / half, ..Zone::new(from, to) }
@@ -332,10 +334,10 @@ impl Search<'_> {
                 }
             }
             looks += 1;
-            let look = look.take().unwrap_or_else(
-                #[inline(always)]
-                || self.look_closer(zone.from, zone.to),
-            );
+            let look = match look.take() {
+                Some(look) => look,
+                None => self.look_closer(zone.from, zone.to),
+            };
             let meet = |gradient| self.meet_gradient(gradient);
             if look.divide(sign, &mut waiting, meet) {
                 return Some(zone.from);
