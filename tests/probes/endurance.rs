@@ -78,6 +78,9 @@ fn compounds_that_are_asked_member_by_member_look_the_same_as_those_of_which_all
         // What is left where there is no surface.
         "difference{box{-.8,.8} merge{object{Foot} cylinder{-y,y,.4 open} rotate 40*z}}",
         "difference{torus{.7,.5} merge{torus{.2,.5} height_field{function 9,9{x*y} translate -.5}}}",
+        // What fills all space but a hole is in a union with what has surfaces inside of it.
+        "merge{union{superellipsoid{<.1,.6>} box{-.6,.6 inverse translate<-.6,-.4,-1>}} sphere{0,.4}}",
+        "merge{union{torus{.8,.3} sphere{3*y,.2 inverse}} object{Star} box{-.2,.2 translate x}}",
     ] {
         for finish in ["rgb<1,.7,.2>", "rgbf<.9,1,.9,.9>} finish{reflection{0,1 fresnel}} interior{ior 1.4"] {
             // Far balls make a compound of too many solids to be asked one by one.

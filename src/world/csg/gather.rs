@@ -231,11 +231,15 @@ impl Parts {
     /// Gathers the members near the ray but for the core; whether one decides for all.
     fn gather_members(&self, group: &Group, way: Way, scratch: &mut Scratch) -> bool {
         let decisive = group.operation.decisive();
-        let decides = |inside| inside == Inside::Constant(decisive);
+        // What has surfaces left, as unions do inside of themselves, is not done with: only the others can take them.
+        let decides = |member, scratch: &mut Scratch| {
+            let before = scratch.found.len();
+            self.gather(member, way, scratch) == Inside::Constant(decisive) && scratch.found.len() == before
+        };
         let stops = group.operation != Operation::Union;
         let mut decided = false;
         for &member in &group.unbounded {
-            decided |= decides(self.gather(member, way, scratch));
+            decided |= decides(member, scratch);
         }
         let mut missing = group.deciders;
         if let Some(core) = group.core {
@@ -250,7 +254,7 @@ impl Parts {
             }
             let member = group.members[place as usize];
             missing -= u32::from(self.is_beyond(member) == decisive);
-            decided |= decides(self.gather(member, way, scratch));
+            decided |= decides(member, scratch);
             if decided && stops { f64::NEG_INFINITY } else { way.range.max }
         });
         decided || missing > 0

@@ -132,8 +132,8 @@ pub trait Shape: Send + Sync + std::fmt::Debug {
         self.nearest(ray, range).is_some()
     }
 
-    /// Whether it is known that there is surface wherever a ray comes to the inside or leaves it, and that a crossing has
-    /// the same bits whatever the range in which it is looked for.
+    /// Whether it is known that there is surface wherever a ray comes to the inside or leaves it, and that a crossing is
+    /// the same but for rounding whatever the range in which it is looked for.
     fn is_closed(&self) -> bool {
         false
     }

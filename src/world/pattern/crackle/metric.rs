@@ -85,13 +85,15 @@ impl Metric {
         }
     }
 
-    /// The distances of four sums.
+    /// The distances of four sums. An offset may have made them negative, of which only single powers know what to make.
     #[inline(always)]
     pub(super) fn distances(self, sums: Lanes) -> Lanes {
         match self {
             Self::Square => sums.sqrt(),
             Self::Absolute => sums,
-            Self::Halves(_) | Self::Power(_) if self.grows() => sums.power(self.exponent().recip()),
+            Self::Halves(_) | Self::Power(_) if self.grows() && sums.bits(|sum| sum < 0.0) == 0 => {
+                sums.power(self.exponent().recip())
+            }
             Self::Halves(_) | Self::Power(_) => sums.map(|sum| self.root(sum)),
         }
     }

@@ -108,7 +108,7 @@ impl Look {
                 let (from, to) = ((middle + half * a).max(from), (middle + half * b).min(to));
                 Zone { certain: c + reach < k.abs(), slope: k / half, ..Zone::new(from, to) }
             } else if k > 0.0 {
-                Zone::new(from, (middle - half * a).clamp(from, to))
+                Zone::new(from, (middle - half * a).max(from).min(to))
             } else {
                 Zone::new(from, to)
             };
@@ -174,7 +174,7 @@ impl Search<'_> {
         look: Option<Look>,
     ) -> Option<(f64, f64)> {
         let root = if self.surface.function.is_known() {
-            let [start, stop] = clear.map_or([from, to], |clear| clear.map(|place| place.clamp(from, to)));
+            let [start, stop] = clear.map_or([from, to], |clear| clear.map(|place| place.max(from).min(to)));
             widest(
                 #[inline(always)]
                 || self.first_known([start, stop, to], sign, look),
@@ -421,11 +421,23 @@ impl Search<'_> {
 pub(super) fn cell_end(accuracy: f64, [from, to]: [f64; 2], root: f64) -> f64 {
     let halvings = ((to - from) / accuracy).log2().floor() + 1.0;
     let cell = (to - from) / halvings.max(0.0).exp2();
-    (from + (((root - from) / cell).floor() + 1.0) * cell).clamp(root, to)
+    // Rounding may have left the root behind the end.
+    (from + (((root - from) / cell).floor() + 1.0) * cell).min(to).max(root)
 }
 
 /// The reach of a band around `c + k s`, with room for rounding.
 #[inline(always)]
 pub(super) fn loosened(reach: f64, c: f64, k: f64) -> f64 {
     reach * (1.0 + 1e-9) + 1e-12 * (c.abs() + k.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_root_that_rounding_left_behind_the_end_is_the_end() {
+        let (to, root) = (0.12592580297129569, 0.12592580297129574);
+        assert_eq!(cell_end(1e-3, [0.0, to], root), root);
+    }
 }
