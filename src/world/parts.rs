@@ -61,14 +61,18 @@ pub struct Group {
     pub(super) core: Option<u32>,
 }
 
-/// The leaf of any shape that an intersection with a few convex solids has, all hidden from the same rays.
+/// Whether members are all hidden from the same rays.
+fn are_hidden_alike(members: &[Member], parts: &Parts) -> bool {
+    members.windows(2).all(|pair| parts.hidden(pair[0]) == parts.hidden(pair[1]))
+}
+
+/// The leaf of any shape that an intersection with a few convex solids has.
 fn odd_one(operation: Operation, members: &[Member], parts: &Parts) -> Option<u32> {
-    let (mut odd, mut hidden) = (None, None);
+    let mut odd = None;
     for &member in members {
         let Member::Leaf(number) = member else { return None };
         let leaf = parts.leaf(number);
-        let solid = leaf.flags.contains(LeafFlags::SOLID) && !leaf.is_limited();
-        if !solid || *hidden.get_or_insert(leaf.hidden) != leaf.hidden {
+        if !leaf.flags.contains(LeafFlags::SOLID) || leaf.is_limited() {
             return None;
         }
         if !leaf.is_convex() && (leaf.flags.contains(LeafFlags::INVERTED) || odd.replace(number).is_some()) {
@@ -78,10 +82,10 @@ fn odd_one(operation: Operation, members: &[Member], parts: &Parts) -> Option<u3
     odd.filter(|_| operation == Operation::Intersection && members.len() <= MOST_BOXED)
 }
 
-/// The members of a compound of a few solids, all hidden from the same rays, in the order in which they are asked in
-/// turn: first what decides for all beyond its box, for much of a ray is soon done with by that, and compounds last.
+/// The members of a compound of a few solids in the order in which they are asked in turn: first what decides for all
+/// beyond its box, for much of a ray is soon done with by that, and compounds last.
 fn turns(operation: Operation, members: &[Member], parts: &Parts) -> Vec<Member> {
-    let (mut hidden, mut count) = (None, 0);
+    let mut count = 0;
     for &member in members {
         let solids = match member {
             Member::Leaf(number) => {
@@ -96,7 +100,7 @@ fn turns(operation: Operation, members: &[Member], parts: &Parts) -> Vec<Member>
             }
         };
         count += solids;
-        if count > MOST_CONVEX || *hidden.get_or_insert(parts.hidden(member)) != parts.hidden(member) {
+        if count > MOST_CONVEX {
             return Vec::new();
         }
     }
@@ -106,21 +110,20 @@ fn turns(operation: Operation, members: &[Member], parts: &Parts) -> Vec<Member>
     turns
 }
 
-/// Whether a compound combines a few convex solids, all hidden from the same rays.
+/// Whether a compound combines a few convex solids.
 fn is_convex(operation: Operation, members: &[Member], parts: &Parts) -> bool {
-    let hidden = |member: &Member| match *member {
+    let combines = |member: &Member| match *member {
         Member::Leaf(number) => {
             let leaf = parts.leaf(number);
             let inverted = leaf.flags.contains(LeafFlags::INVERTED);
-            let combines = operation == Operation::Intersection || operation == Operation::Merge && !inverted;
-            (leaf.is_convex() && combines).then_some(leaf.hidden)
+            leaf.is_convex()
+                && (operation == Operation::Intersection || operation == Operation::Merge && !inverted)
         }
-        Member::Group(_) => None,
+        Member::Group(_) => false,
     };
-    let first = members.first().and_then(hidden);
     let boxed = members.iter().filter(|&&member| parts.extent(member).bounds.is_finite()).count();
     let few = members.len() <= MOST_CONVEX && boxed <= MOST_BOXED;
-    few && first.is_some() && members.iter().all(|member| hidden(member) == first)
+    few && !members.is_empty() && members.iter().all(combines)
 }
 
 impl Group {
@@ -154,7 +157,8 @@ impl Group {
         let core = members.iter().position(|member| is_core(&member)).map(|place| place as u32);
         let boxes = (0..).zip(&members).filter(|&(_, &member)| is_finite(member));
         let boxes = boxes.map(|(place, &member)| (parts.extent(member).bounds, place));
-        let convex = is_convex(operation, &members, parts);
+        let alike = are_hidden_alike(&members, parts);
+        let convex = alike && is_convex(operation, &members, parts);
         let facets = convex && operation == Operation::Intersection;
         Self {
             facets: facets.then(|| Facets::new(&members, |number| parts.leaf(number))).flatten(),
@@ -163,8 +167,8 @@ impl Group {
             wide: members.iter().copied().filter(|&m| !is_finite(m) || decides(m)).collect(),
             deciders: members.iter().filter(|&&m| is_finite(m) && decides(m)).count() as u32,
             convex,
-            odd: odd_one(operation, &members, parts),
-            turns: turns(operation, &members, parts),
+            odd: if alike { odd_one(operation, &members, parts) } else { None },
+            turns: if alike { turns(operation, &members, parts) } else { Vec::new() },
             hidden: members.iter().fold(RayKind::all(), |all, &member| all & parts.hidden(member)),
             core: core.filter(|_| operation == Operation::Intersection),
             operation,
