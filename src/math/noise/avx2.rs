@@ -18,8 +18,6 @@ use four::{Axis, is_finite, is_zero};
 pub(super) struct Lattice {
     /// The lattice hash table.
     hash: [u16; HASH_SIZE],
-    /// The lowest eight bits of its entries, which number the gradient of a corner.
-    low: [u8; HASH_SIZE],
     /// Half of an entry of the gradient table, and the three after it.
     slopes: [__m256d; 256],
     /// For each component of vector noise its entry of the gradient table.
@@ -92,7 +90,6 @@ impl Lattice {
         let vector = |k: usize| _mm256_set_pd(0.0, r[k + 8], r[k + 4], r[k]);
         Box::new(Self {
             hash: **HASH,
-            low: std::array::from_fn(|k| (HASH[k] & 255) as u8),
             slopes: std::array::from_fn(|k| _mm256_set_pd(r[k + 3], r[k + 2], r[k + 1], r[k] * 0.5)),
             vectors: std::array::from_fn(vector),
             halves: std::array::from_fn(|k| _mm256_mul_pd(vector(k), half)),
@@ -131,7 +128,7 @@ impl Lattice {
 
     #[inline(always)]
     fn gradient(&self, column: u32, z: u32) -> usize {
-        usize::from(self.low[(column ^ z) as usize & (HASH_SIZE - 1)])
+        usize::from(self.hash[(column ^ z) as usize & (HASH_SIZE - 1)] as u8)
     }
 
     #[target_feature(enable = "avx2")]
@@ -170,26 +167,46 @@ impl Lattice {
 
     #[target_feature(enable = "avx2")]
     fn all_vectors(&self, x: f64, y: f64, z: f64, scales: &[f64], vectors: &mut [DVec3]) {
+        let p = [_mm256_set1_pd(x), _mm256_set1_pd(y), _mm256_set1_pd(z)];
+        let (scales, rest) = scales.as_chunks();
+        let (fours, remaining) = vectors.as_chunks_mut();
+        for (scales, vectors) in scales.iter().zip(fours) {
+            let found = self.vectors_apart(&scaled(p, scales), 4);
+            *vectors = [point(found[0]), point(found[1]), point(found[2]), point(found[3])];
+        }
         let p = lanes(x, y, z);
-        for (scale, vector) in scales.iter().zip(vectors) {
-            let [x, y, z, _] = each(self.vector(_mm256_mul_pd(p, _mm256_set1_pd(*scale))));
-            *vector = DVec3::new(x, y, z);
+        for (scale, vector) in rest.iter().zip(remaining) {
+            *vector = point(self.vector(_mm256_mul_pd(p, _mm256_set1_pd(*scale))));
         }
     }
 
     #[target_feature(enable = "avx2")]
     fn octaves(&self, x: f64, y: f64, z: f64, octaves: &Octaves) -> DVec3 {
-        let p = lanes(x, y, z);
-        let mut sum = self.vector(p);
-        let (mut strength, mut frequency) = (1.0, 1.0);
-        for _ in 1..octaves.count() {
-            strength *= octaves.omega;
-            frequency *= octaves.lambda;
-            let next = self.vector(_mm256_mul_pd(p, _mm256_set1_pd(frequency)));
-            sum = _mm256_add_pd(sum, _mm256_mul_pd(_mm256_set1_pd(strength), next));
+        let p = [_mm256_set1_pd(x), _mm256_set1_pd(y), _mm256_set1_pd(z)];
+        let Octaves { omega, lambda, .. } = *octaves;
+        let count = octaves.count();
+        let mut sum = _mm256_setzero_pd();
+        let (mut strength, mut a) = (1.0, 1.0);
+        for first in (0..count).step_by(4) {
+            let b = a * lambda;
+            let c = b * lambda;
+            let d = c * lambda;
+            let here = (count - first).min(4);
+            let found = match here {
+                1 => [self.vector(_mm256_mul_pd(lanes(x, y, z), _mm256_set1_pd(a))); 4],
+                _ => self.vectors_apart(&scaled(p, &[a, b, c, d]), here),
+            };
+            a = d * lambda;
+            for place in 0..here {
+                if first + place == 0 {
+                    sum = found[0];
+                } else {
+                    strength *= omega;
+                    sum = _mm256_add_pd(sum, _mm256_mul_pd(_mm256_set1_pd(strength), found[place]));
+                }
+            }
         }
-        let [x, y, z, _] = each(sum);
-        DVec3::new(x, y, z)
+        point(sum)
     }
 
     /// Vector noise: lanes are components.
@@ -231,6 +248,26 @@ impl Lattice {
         add_corner!(4);
         sum
     }
+}
+
+/// A point at four scales.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn scaled(p: [__m256d; 3], &[a, b, c, d]: &[f64; 4]) -> [Axis; 3] {
+    let scale = _mm256_set_pd(d, c, b, a);
+    [
+        Axis::of(_mm256_mul_pd(p[0], scale)),
+        Axis::of(_mm256_mul_pd(p[1], scale)),
+        Axis::of(_mm256_mul_pd(p[2], scale)),
+    ]
+}
+
+/// Lanes 0, 1 and 2.
+#[inline]
+#[target_feature(enable = "avx2")]
+fn point(v: __m256d) -> DVec3 {
+    let [x, y, z, _] = each(v);
+    DVec3::new(x, y, z)
 }
 
 impl Place {

@@ -129,7 +129,7 @@ impl Lattice {
             let at = [Axis::of(scaled[0]), Axis::of(scaled[1]), Axis::of(scaled[2])];
             let [x, y, z] = match shared_cell(&at) {
                 Some(cell) => self.vectors_in_one_cell(cell, &at),
-                None => self.vectors_anywhere(scaled),
+                None => self.vectors_anywhere(&scaled, &at),
             };
             *vector = [Lanes(each(x)), Lanes(each(y)), Lanes(each(z))];
         }
@@ -193,15 +193,68 @@ impl Lattice {
         sum
     }
 
-    /// Vector noise at four points, one after the other. Where there are less than four the last stands for several.
+    /// Vector noise at the first `count` of four points that have each a cell of their own: lanes are components. What
+    /// all have in common is found first, for a point alone is a long chain of what waits for each other, of which the
+    /// processor sees but two at a time.
     #[target_feature(enable = "avx2")]
-    fn vectors_anywhere(&self, [x, y, z]: [__m256d; 3]) -> [__m256d; 3] {
-        let [a, b, c, d] = transposed([x, y, z, _mm256_setzero_pd()]);
-        let first = self.vector(a);
-        let second = if is_same(a, b) { first } else { self.vector(b) };
-        let third = if is_same(b, c) { second } else { self.vector(c) };
-        let fourth = if is_same(c, d) { third } else { self.vector(d) };
-        let [x, y, z, _] = transposed([first, second, third, fourth]);
+    pub(super) fn vectors_apart(&self, at: &[Axis; 3], count: usize) -> [__m256d; 4] {
+        let numbers = [at[0].numbers(), at[1].numbers(), at[2].numbers()];
+        let [x, y, z] = at;
+        let offsets = [
+            [each(x.offset[0]), each(x.offset[1])],
+            [each(y.offset[0]), each(y.offset[1])],
+            [each(z.offset[0]), each(z.offset[1])],
+        ];
+        let mut weights = [[0.0; 4]; 8];
+        for side in 0..4 {
+            let influence = _mm256_mul_pd(x.weight[side & 1], y.weight[side >> 1]);
+            weights[side] = each(_mm256_mul_pd(influence, z.weight[0]));
+            weights[side + 4] = each(_mm256_mul_pd(influence, z.weight[1]));
+        }
+        let mut found = [_mm256_setzero_pd(); 4];
+        for point in 0..count {
+            let columns = self.columns(numbers[0][point], numbers[1][point]);
+            let plane = numbers[2][point];
+            let offset = |axis: usize, side: usize| _mm256_set1_pd(offsets[axis][side][point]);
+            let dx = [offset(0, 0), offset(0, 1)];
+            let dy = [offset(1, 0), offset(1, 1)];
+            let dz = [offset(2, 0), offset(2, 1)];
+            let mut sum = _mm256_setzero_pd();
+            macro_rules! add_corner {
+                ($side:literal) => {
+                    let (i, j, k) = ($side & 1, $side >> 1 & 1, $side >> 2);
+                    let m = self.gradient(columns[$side & 3], plane + k as u32);
+                    let slope = _mm256_add_pd(self.halves[m], _mm256_mul_pd(self.vectors[m + 1], dx[i]));
+                    let slope = _mm256_add_pd(slope, _mm256_mul_pd(self.vectors[m + 2], dy[j]));
+                    let slope = _mm256_add_pd(slope, _mm256_mul_pd(self.vectors[m + 3], dz[k]));
+                    sum = _mm256_add_pd(sum, _mm256_mul_pd(_mm256_set1_pd(weights[$side][point]), slope));
+                };
+            }
+            add_corner!(0);
+            add_corner!(1);
+            add_corner!(3);
+            add_corner!(2);
+            // The corners beyond the plane that the point is on add nothing.
+            if !(offsets[2][0][point] == 0.0 && is_finite(sum)) {
+                add_corner!(6);
+                add_corner!(7);
+                add_corner!(5);
+                add_corner!(4);
+            }
+            found[point] = sum;
+        }
+        found
+    }
+
+    /// Vector noise at four points. Where there are less than four the last stands for several.
+    #[target_feature(enable = "avx2")]
+    fn vectors_anywhere(&self, points: &[__m256d; 3], at: &[Axis; 3]) -> [__m256d; 3] {
+        let count = distinct(points);
+        let mut found = self.vectors_apart(at, count);
+        for place in count..4 {
+            found[place] = found[place - 1];
+        }
+        let [x, y, z, _] = transposed(found);
         [x, y, z]
     }
 }
@@ -235,12 +288,17 @@ fn shared_cell(at: &[Axis; 3]) -> Option<[u32; 3]> {
     (_mm_testz_si128(apart, apart) == 1).then(|| [first(&at[0]), first(&at[1]), first(&at[2])])
 }
 
-/// Whether all bits are the same.
+/// How many points come first until all that follow are the same as the one before.
 #[inline]
 #[target_feature(enable = "avx2")]
-fn is_same(one: __m256d, other: __m256d) -> bool {
-    let apart = _mm256_castpd_si256(_mm256_xor_pd(one, other));
-    _mm256_testz_si256(apart, apart) == 1
+fn distinct(points: &[__m256d; 3]) -> usize {
+    let mut apart = 0;
+    for c in points {
+        let before = _mm256_permute4x64_pd::<0b10_01_00_00>(*c);
+        apart |= _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_NEQ_UQ>(*c, before)) as u32;
+    }
+    // The first differs from none.
+    (u32::BITS - (apart | 1).leading_zeros()) as usize
 }
 
 /// Whether all lanes are 0.
