@@ -1,6 +1,6 @@
 //! Crackles along lines: bounds of their values.
 
-use super::{ADJACENT, BESIDE, Crackle, Kept, Least, Metric, NEIGHBOURS, SEEDS, Seeds, seed};
+use super::{ADJACENT, BESIDE, Crackle, Kept, Least, Metric, NEIGHBOURS, SEEDS, Seeds, insert, seed};
 use crate::math::noise::{EPSILON, noise};
 use crate::math::wide::widest;
 use crate::math::{Band, DVec3, Lanes};
@@ -69,7 +69,15 @@ impl Crackle {
     #[inline(always)]
     fn strips(&self, p: &[Band; 3], seeds: &mut Kept) -> [Strip; Lanes::COUNT] {
         // Written out: closures may become calls, of which none knows wide registers.
-        let stretches = [self.stretch(p, 0), self.stretch(p, 1), self.stretch(p, 2), self.stretch(p, 3)];
+        let half = |axis: usize| p[axis].slope.abs() + p[axis].reach;
+        let half = [half(0), half(1), half(2)];
+        let Lanes(spread) = self.metric.distances(self.metric.sum_of_four(half[0], half[1], half[2]));
+        let stretches = [
+            self.stretch(p, 0, spread[0]),
+            self.stretch(p, 1, spread[1]),
+            self.stretch(p, 2, spread[2]),
+            self.stretch(p, 3, spread[3]),
+        ];
         let middles = [p[0].middle, p[1].middle, p[2].middle];
         let mut strips: [Option<Strip>; Lanes::COUNT] = [None; Lanes::COUNT];
         for (first, stretch) in stretches.iter().enumerate() {
@@ -101,9 +109,10 @@ impl Crackle {
         [a.unwrap_or(ANY), b.unwrap_or(ANY), c.unwrap_or(ANY), d.unwrap_or(ANY)]
     }
 
-    /// The stretch in a lane with what is beside it, if it is worth the search for seeds.
+    /// The stretch in a lane with what is beside it, if it is worth the search for seeds. From its middle to its farthest
+    /// corner it is as far as `spread`.
     #[inline(always)]
-    fn stretch(&self, [x, y, z]: &[Band; 3], lane: usize) -> Option<Stretch> {
+    fn stretch(&self, [x, y, z]: &[Band; 3], lane: usize, spread: f64) -> Option<Stretch> {
         let middle = DVec3::new(x.middle.0[lane], y.middle.0[lane], z.middle.0[lane]);
         let along = DVec3::new(x.slope.0[lane], y.slope.0[lane], z.slope.0[lane]);
         let reach = DVec3::new(x.reach.0[lane], y.reach.0[lane], z.reach.0[lane]);
@@ -113,7 +122,7 @@ impl Crackle {
             return None;
         }
         let rounding = ROUNDING * (1.0 + middle.abs().max_element());
-        let spread = self.metric.distance(self.metric.sum(half)) * (1.0 + ROUNDING) + rounding;
+        let spread = spread * (1.0 + ROUNDING) + rounding;
         let vague = spread * self.form.abs().element_sum() >= VAGUE;
         if vague && self.solid.is_none() && self.has_distances() {
             return None;
@@ -250,17 +259,15 @@ impl Near {
     #[inline(always)]
     fn of_four(seeds: &Seeds, [x, y, z]: [Lanes; 3], metric: Metric) -> [Lanes; Self::COUNT] {
         let mut least = [Lanes::splat(f64::INFINITY); Self::COUNT];
+        let limits = seeds.limits::<{ Self::COUNT }>([x, y, z], metric);
         for place in 0..ADJACENT {
-            let (dx, dy, dz) = (x - seeds.x[place], y - seeds.y[place], z - seeds.z[place]);
-            let sum = if metric == Metric::Square {
-                dx * dx + dy * dy + dz * dz
-            } else {
-                metric.part_of_four(dx) + metric.part_of_four(dy) + metric.part_of_four(dz)
-            };
-            let mut next = sum.map(|sum| f64::from_bits(sum.to_bits() & !PLACE | place as u64));
-            for known in &mut least {
-                (*known, next) = (known.lesser(next), next.greater(*known));
+            if limits.as_ref().is_some_and(|limits| limits.exclude(place)) {
+                continue;
             }
+            let (dx, dy, dz) = (x - seeds.x[place], y - seeds.y[place], z - seeds.z[place]);
+            let sum = metric.sum_of_four(dx, dy, dz);
+            let next = sum.map(|sum| f64::from_bits(sum.to_bits() & !PLACE | place as u64));
+            insert(&mut least, next);
         }
         least
     }

@@ -25,6 +25,12 @@ impl Crackle {
         values
     }
 
+    /// Whether sums of powers, to which an offset is added, are found for four points with the bits of one by one.
+    fn has_sums_of_four(&self) -> bool {
+        let of_four = matches!(self.metric, Metric::Halves(_)) || self.metric.power_of_four().is_some();
+        of_four && self.metric.offset(self.offset) >= 0.0
+    }
+
     /// The values of points that are in one cell, and bits that say for which of them the seeds in the cells beside are
     /// enough.
     #[inline(always)]
@@ -44,6 +50,9 @@ impl Crackle {
             (None, Metric::Square, 1) => seeds.least_of_four::<1>(point, |d| d * d),
             (None, Metric::Square, _) => seeds.least_of_four::<3>(point, |d| d * d),
             (None, Metric::Absolute, _) => seeds.least_of_four::<3>(point, Lanes::abs),
+            (None, Metric::Halves(_) | Metric::Power(_), 2..) if self.has_sums_of_four() => {
+                seeds.least_sums_of_four(point, self.metric)
+            }
             _ => return None,
         };
         let sure = sums[counting - 1].bits(|sum| self.metric.ends_nearby(sum));
@@ -51,16 +60,58 @@ impl Crackle {
         let (form, mut values) = (self.form.to_array(), Lanes::ZERO);
         for place in 0..counting {
             if form[place] != 0.0 {
-                let sums = sums[place] + offset;
-                let distance = if self.metric == Metric::Square { sums.sqrt() } else { sums };
-                values = values + distance * form[place];
+                values = values + self.metric.distances(sums[place] + offset) * form[place];
             }
         }
         Some((values.map(|v| v.clamp(0.0, 1.0)), sure))
     }
 }
 
+/// What is farther than this from each of four points isn't among the seeds nearest to any.
+pub(super) struct Limits {
+    squares: [Lanes; ADJACENT],
+    farthest: Lanes,
+}
+
+impl Limits {
+    /// Whether the seed at `place` is so far away.
+    #[inline(always)]
+    pub(super) fn exclude(&self, place: usize) -> bool {
+        let beyond = self.squares[place] - self.farthest;
+        beyond.all_positive()
+    }
+}
+
 impl Seeds {
+    /// By the squares of their distances, which are soon found, which seeds can't be among the `COUNT` nearest.
+    #[inline(always)]
+    pub(super) fn limits<const COUNT: usize>(&self, [x, y, z]: [Lanes; 3], metric: Metric) -> Option<Limits> {
+        let stretched = metric.stretched()?;
+        let mut squares = [Lanes::ZERO; ADJACENT];
+        let mut least = [Lanes::splat(f64::INFINITY); COUNT];
+        for (place, square) in squares.iter_mut().enumerate() {
+            let (dx, dy, dz) = (x - self.x[place], y - self.y[place], z - self.z[place]);
+            *square = dx * dx + dy * dy + dz * dz;
+            insert(&mut least, *square);
+        }
+        Some(Limits { squares, farthest: least[COUNT - 1] * stretched })
+    }
+
+    /// For each of four points in the cell the three least sums by a metric of powers.
+    #[inline(always)]
+    fn least_sums_of_four(&self, &[x, y, z]: &[Lanes; 3], metric: Metric) -> [Lanes; 3] {
+        let mut least = [Lanes::splat(f64::INFINITY); 3];
+        let limits = self.limits::<3>([x, y, z], metric);
+        for place in 0..ADJACENT {
+            if limits.as_ref().is_some_and(|limits| limits.exclude(place)) {
+                continue;
+            }
+            let (dx, dy, dz) = (x - self.x[place], y - self.y[place], z - self.z[place]);
+            insert(&mut least, metric.sum_of_four(dx, dy, dz));
+        }
+        least
+    }
+
     /// For each of four points in the cell the least sums, so many, in order.
     #[inline(always)]
     fn least_of_four<const COUNT: usize>(
@@ -89,7 +140,7 @@ mod tests {
         let forms = [DVec3::X, DVec3::new(-1.0, 1.0, 0.0), DVec3::new(0.2, -0.3, 0.7)];
         for (form, metric, solid) in forms
             .into_iter()
-            .flat_map(|form| [2.0, 1.0, 1.5].map(|metric| (form, Metric::new(metric), None)))
+            .flat_map(|form| [2.0, 1.0, 1.5, 2.2, 3.0].map(|metric| (form, Metric::new(metric), None)))
             .chain([(DVec3::X, Metric::Square, Some(2))])
         {
             for offset in [0.0, 0.3] {

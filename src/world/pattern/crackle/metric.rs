@@ -67,10 +67,19 @@ impl Metric {
     /// The same of four differences.
     #[inline(always)]
     pub(super) fn part_of_four(self, d: Lanes) -> Lanes {
-        match self.power_of_four() {
-            Some(m) => d.abs().power(m),
-            None => d.map(|d| self.part(d)),
+        match self {
+            Self::Square => d * d,
+            Self::Absolute => d.abs(),
+            Self::Halves(halves) => four_to_halves(d.abs(), halves),
+            Self::Power(m) if self.power_of_four().is_some() => d.abs().power(m),
+            Self::Power(m) => d.map(|d| d.abs().powf(m)),
         }
+    }
+
+    /// The sums of four points' differences, coordinate by coordinate.
+    #[inline(always)]
+    pub(super) fn sum_of_four(self, x: Lanes, y: Lanes, z: Lanes) -> Lanes {
+        self.part_of_four(x) + self.part_of_four(y) + self.part_of_four(z)
     }
 
     pub(super) fn sum(self, d: DVec3) -> f64 {
@@ -113,6 +122,20 @@ impl Metric {
         }
     }
 
+    /// How many times farther, as a share of squares of Euclidean distances, a seed may be that is as near by the
+    /// metric as another: means of powers of three numbers are no farther apart. `None` where squares tell nothing, or
+    /// sums are found as soon.
+    #[inline(always)]
+    pub(super) fn stretched(self) -> Option<f64> {
+        /// For rounding.
+        const ROOM: f64 = 1.0 + 1e-9;
+        match self {
+            Self::Square | Self::Absolute => None,
+            _ if !self.grows() => None,
+            _ => Some(3.0_f64.powf((2.0 / self.exponent() - 1.0).abs()) * ROOM),
+        }
+    }
+
     /// Whether sums grow with distances.
     pub(super) fn grows(self) -> bool {
         self.exponent() > 0.0
@@ -132,4 +155,18 @@ pub(super) fn power_of_halves(x: f64, halves: u32) -> f64 {
     let factor = |bit: u32, factor: f64| if halves & bit == 0 { 1.0 } else { factor };
     let whole = factor(2, x) * factor(4, square) * factor(8, fourth) * factor(16, fourth * fourth);
     whole * factor(1, x.sqrt())
+}
+
+/// [`power_of_halves`] of four numbers.
+#[inline(always)]
+fn four_to_halves(x: Lanes, halves: u32) -> Lanes {
+    let square = x * x;
+    let fourth = square * square;
+    let mut whole = Lanes::splat(1.0);
+    for (bit, factor) in [(2, x), (4, square), (8, fourth), (16, fourth * fourth)] {
+        if halves & bit != 0 {
+            whole = whole * factor;
+        }
+    }
+    if halves & 1 == 0 { whole } else { whole * x.sqrt() }
 }
