@@ -9,6 +9,7 @@ mod dispersion;
 pub mod film;
 mod finish;
 mod jitter;
+mod layered;
 mod lens;
 mod media;
 mod mesh_camera;

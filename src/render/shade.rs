@@ -5,6 +5,7 @@ use std::ops::Range as Span;
 
 use super::dispersion::{self, Band};
 use super::finish::{Surface, iridescence};
+use super::layered::Foreseen;
 use super::mirror::{self, Reflectivity};
 use super::refract::{self, Inside, Passage};
 use super::shadow::Target;
@@ -35,6 +36,8 @@ pub(super) struct At<'a> {
     passage: Option<Passage>,
     /// Whether one layer of one texture is all there is to be lit.
     pub(super) plain: bool,
+    /// What is known of it already.
+    foreseen: Option<Foreseen>,
     /// The lamps' light, by index into the tracer's list; `None` until a layer asks.
     pub(super) arrivals: Option<Span<usize>>,
 }
@@ -130,7 +133,11 @@ impl Tracer<'_> {
     /// Shades the surface a ray met.
     pub(super) fn shade(&mut self, path: &Path, hit: &Hit) -> Shaded {
         let world = self.world;
-        let surface = world.geometry.surface(&path.ray, hit);
+        let foreseen = self.foreseen.take();
+        let surface = match foreseen {
+            Some(foreseen) => *self.foreseen_surface(foreseen),
+            None => world.geometry.surface(&path.ray, hit),
+        };
         let leaf = world.geometry.parts().leaf(hit.leaf);
         let attenuation = self.attenuation(path, hit, leaf);
         if leaf.flags.contains(LeafFlags::INVISIBLE) && self.quality.transmission && !self.quality.flat {
@@ -147,8 +154,17 @@ impl Tracer<'_> {
             }
         }
         let surface = &surface;
-        let mut at =
-            At { path, hit, surface, leaf, attenuation, passage: None, plain: false, arrivals: None };
+        let mut at = At {
+            path,
+            hit,
+            surface,
+            leaf,
+            attenuation,
+            passage: None,
+            plain: false,
+            foreseen,
+            arrivals: None,
+        };
         let mut sum = Sum::default();
         if let Some(layers) = textures::layers(world, leaf, surface) {
             self.statistics.texture_evaluations += 1;
@@ -195,14 +211,15 @@ impl Tracer<'_> {
         let mut mirror = None;
         if let [only] = layers {
             if bailout < 1.0 {
-                mirror = self.layer(at, only, sample, &mut stack);
+                mirror = self.layer(at, only, None, sample, &mut stack);
             }
         } else {
-            for layer in layers.iter().rev() {
+            for (place, layer) in layers.iter().rev().enumerate() {
                 if stack.share <= bailout {
                     break;
                 }
-                let mirror = self.layer(at, layer, sample, &mut stack);
+                let known = at.foreseen.and_then(|foreseen| self.foreseen_color(foreseen, place));
+                let mirror = self.layer(at, layer, known, sample, &mut stack);
                 self.mirrors.extend(mirror);
             }
         }
@@ -225,11 +242,13 @@ impl Tracer<'_> {
         self.mirrors.truncate(first_mirror);
     }
 
-    /// Adds the light of a layer to those above it; what it mirrors is left to be traced.
+    /// Adds the light of a layer, the colour of which may be `known`, to those above it; what it mirrors is left to be
+    /// traced.
     fn layer(
         &mut self,
         at: &mut At,
         layer: &Layer,
+        known: Option<Option<Rgbft>>,
         sample: &mut Sample,
         stack: &mut Stack,
     ) -> Option<Mirror> {
@@ -245,7 +264,7 @@ impl Tracer<'_> {
         if stack.top.is_none() {
             stack.top = Some(*normal);
         }
-        let given = layer.paint.color(sample);
+        let given = known.unwrap_or_else(|| layer.paint.color(sample));
         let color = given.unwrap_or(Rgbft::new([1.0, 1.0, 1.0, 0.0, 1.0]));
         if self.quality.flat {
             // The lowest layer that is looked at shows its plain colour.
@@ -401,7 +420,17 @@ impl Tracer<'_> {
     ) -> Rgb {
         let leaf = self.world.geometry.parts().leaf(hit.leaf);
         let attenuation = Rgb::ONE;
-        let at = At { path, hit, surface, leaf, attenuation, passage: None, plain: true, arrivals: None };
+        let at = At {
+            path,
+            hit,
+            surface,
+            leaf,
+            attenuation,
+            passage: None,
+            plain: true,
+            foreseen: None,
+            arrivals: None,
+        };
         let reflectivity = self.reflectivity(path, leaf, finish, &surface.normal, color);
         let mirror = Mirror::of(finish, reflectivity, surface.normal, path.weight);
         mirror.map_or(Rgb::ZERO, |mirror| self.reflection(&at, &mirror))

@@ -2,6 +2,7 @@
 //! (docs/spec/shading.md 4).
 
 use super::ahead::Ahead;
+use super::layered::{Foreseen, Layered};
 use super::media::{Beam, Between, Parts};
 use super::plain::{Bundle, Room};
 use super::quality::Quality;
@@ -88,6 +89,11 @@ pub(super) struct Tracer<'w> {
     pub(super) parts: Parts,
     /// Pixels that were looked at before somebody asks for them.
     pub(super) ahead: Ahead,
+    /// What is known of surfaces that bundles met, that of the innermost last, and of how many bundles it is kept.
+    pub(super) layered: Vec<Layered>,
+    pub(super) bundles: usize,
+    /// The one of them that is shaded next.
+    pub(super) foreseen: Option<Foreseen>,
     /// What the rays through the lens at hand may meet.
     pub(super) within: Within,
     /// The pixels for which that was found, by image coordinates of the first, and whether it is known.
@@ -144,6 +150,9 @@ impl<'w> Tracer<'w> {
             between: Vec::new(),
             parts: Parts::default(),
             ahead: Ahead::default(),
+            layered: Vec::new(),
+            bundles: 0,
+            foreseen: None,
             within: Within::default(),
             row: None,
             reflections: Reflections::default(),
@@ -189,6 +198,11 @@ impl<'w> Tracer<'w> {
         path.level += 1;
         let plain = self.plain::<N, EYE>(path, bundle, room);
         path.level -= 1;
+        let open = |(color, hit): (&Option<Rgb>, &Option<&Hit>)| color.is_none() && hit.is_some();
+        let several = N > 1 && plain.iter().zip(&bundle.hits).filter(|&pair| open(pair)).count() > 1;
+        if several {
+            self.look_at_layers(bundle, &plain);
+        }
         for lane in 0..count {
             path.ray = bundle.rays[lane];
             // Shown where it is known: what comes together from several places goes through memory.
@@ -197,9 +211,13 @@ impl<'w> Tracer<'w> {
                 (None, None) => show(self.sky(path)),
                 (None, hit) => {
                     self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
+                    self.foreseen = if several { self.foresee(lane) } else { None };
                     show(self.follow(&mut path.clone(), &hit.copied()));
                 }
             }
+        }
+        if several {
+            self.forget();
         }
     }
 
