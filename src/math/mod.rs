@@ -18,6 +18,7 @@ pub mod slant;
 pub mod spline;
 pub mod tally;
 pub mod transform;
+mod unit;
 pub mod wide;
 
 pub use band::Band;
@@ -29,3 +30,4 @@ pub use lanes::Lanes;
 pub use slant::Slant;
 pub use spline::Spline;
 pub use transform::Transform;
+pub use unit::unit;

@@ -1,7 +1,7 @@
 //! Reflection: how much, and where to (docs/spec/shading.md 14).
 
 use super::finish::metallic;
-use crate::math::{DVec3, Rgb};
+use crate::math::{DVec3, Rgb, unit};
 use crate::world::texture::Reflection;
 
 /// Share of light reflected, and the share that counts against `adc_bailout`.
@@ -63,7 +63,7 @@ pub(super) fn mirrored(direction: DVec3, normal: DVec3, raw: DVec3) -> DVec3 {
     } else {
         reflected.reflect(raw)
     };
-    reflected.normalize_or_zero()
+    unit(reflected)
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ use super::image::ImageMap;
 use super::pattern::{Formula, Pattern};
 use super::sample::Enclosing;
 use super::warp::{Warp, Warps};
-use crate::math::{DVec3, Rgb, Transform};
+use crate::math::{DVec3, Rgb, Transform, unit};
 
 /// A texture and where it is.
 #[derive(Clone, Debug)]
@@ -294,7 +294,7 @@ impl Layer {
         let mut n = outer.map_or(sample.normal, |outer| outer.inward(sample.normal));
         n = place.map_or(n, |place| place.normal_inward(n, true));
         n = normal.bend(sample, n, outer.is_some_and(Enclosing::is_raw));
-        n = place.map_or(n, |place| place.normal_outward(n, true)).normalize_or_zero();
+        n = unit(place.map_or(n, |place| place.normal_outward(n, true)));
         sample.bent = n;
         outer.map_or(n, |outer| outer.outward(n))
     }

@@ -10,7 +10,7 @@ pub use repeat::Repeat;
 
 use crate::math::noise::Octaves;
 use crate::math::wide::widest;
-use crate::math::{Band, DVec3, Lanes, Transform};
+use crate::math::{Band, DVec3, Lanes, Transform, unit};
 
 /// One step on the way to a pattern.
 #[derive(Clone, Debug)]
@@ -131,25 +131,25 @@ impl Warps {
     /// A normal seen from the pattern's space; only transforms turn it
     /// (docs/spec/patterns-textures.md 4.1, step 1). Unit unless `raw`.
     pub fn normal_inward(&self, normal: DVec3, raw: bool) -> DVec3 {
-        let mut n = unit(normal, raw);
+        let mut n = unit_unless(raw, normal);
         for step in &self.steps {
             if let Warp::Transform(transform) = step {
                 n = transform.forward.matrix3.transpose() * n;
             }
         }
-        unit(n, raw)
+        unit_unless(raw, n)
     }
 
     /// A normal of the pattern's space seen from outside (docs/spec/patterns-textures.md 4.1, step 4).
     /// Unit unless `raw`.
     pub fn normal_outward(&self, normal: DVec3, raw: bool) -> DVec3 {
-        let mut n = unit(normal, raw);
+        let mut n = unit_unless(raw, normal);
         for step in self.steps.iter().rev() {
             if let Warp::Transform(transform) = step {
                 n = transform.normal(n);
             }
         }
-        unit(n, raw)
+        unit_unless(raw, n)
     }
 }
 
@@ -175,8 +175,8 @@ fn within_reach([x, y, z]: &[Lanes; 3]) -> [Lanes; 3] {
     [x.map(clamped), y.map(clamped), z.map(clamped)]
 }
 
-fn unit(n: DVec3, raw: bool) -> DVec3 {
-    if raw { n } else { n.normalize_or_zero() }
+fn unit_unless(raw: bool, n: DVec3) -> DVec3 {
+    if raw { n } else { unit(n) }
 }
 
 #[cfg(test)]
