@@ -1,5 +1,5 @@
-//! Textures of several layers that rays of a bundle meet: their pigments are evaluated side by side before the rays are
-//! shaded one after the other.
+//! Textures that rays of a bundle meet together and that are not [plain](super::plain), for they have several layers,
+//! bumps, or let light through: their pigments are evaluated side by side before the rays are shaded one after the other.
 
 use super::plain::Bundle;
 use super::textures;
@@ -45,8 +45,8 @@ pub(super) struct Foreseen {
 }
 
 impl Tracer<'_> {
-    /// Looks at the surfaces of a texture of several layers that more than one ray of a bundle meets, but for those that
-    /// are `seen` already, and keeps them until [`Self::forget`].
+    /// Looks at the surfaces of a texture that more than one ray of a bundle meets, but for those that are `seen` already,
+    /// and keeps them until [`Self::forget`].
     pub(super) fn look_at_layers<const N: usize>(&mut self, bundle: &Bundle<N>, seen: &[Option<Rgb>; N]) {
         if self.layered.len() == self.bundles {
             self.layered.push(Layered::NOTHING);
@@ -110,7 +110,10 @@ impl Tracer<'_> {
         else {
             return;
         };
-        let Some(layers) = texture.layers().filter(|layers| is_worth_while(layers)) else { return };
+        let Some(layers) = texture.layers().filter(|layers| is_worth_while(layers, world.needs.normals))
+        else {
+            return;
+        };
         let [Some(a), Some(b), Some(c), Some(d)] = lanes.map(|lane| bundle.hits[lane]) else { return };
         let hits = [a, b, c, d];
         for (place, surface) in list.surfaces[..count].iter_mut().enumerate() {
@@ -144,9 +147,9 @@ impl Tracer<'_> {
     }
 }
 
-/// Whether there are several layers, at least one with a pattern, and none with bumps, which patterns may see.
-fn is_worth_while(layers: &[Layer]) -> bool {
+/// Whether there is a pattern, and no bumps where patterns see `normals`.
+fn is_worth_while(layers: &[Layer], normals: bool) -> bool {
     let patterned =
         |layer: &Layer| matches!(&layer.paint, Paint::Pigment(pigment) if !pigment.is_soon_known());
-    layers.len() > 1 && layers.iter().all(|layer| layer.normal.is_none()) && layers.iter().any(patterned)
+    layers.iter().any(patterned) && !(normals && layers.iter().any(|layer| layer.normal.is_some()))
 }

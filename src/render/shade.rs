@@ -130,10 +130,9 @@ struct Stack {
 }
 
 impl Tracer<'_> {
-    /// Shades the surface a ray met.
-    pub(super) fn shade(&mut self, path: &Path, hit: &Hit) -> Shaded {
+    /// Shades the surface a ray met, of which something may be `foreseen`.
+    pub(super) fn shade(&mut self, path: &Path, hit: &Hit, foreseen: Option<Foreseen>) -> Shaded {
         let world = self.world;
-        let foreseen = self.foreseen.take();
         let surface = match foreseen {
             Some(foreseen) => *self.foreseen_surface(foreseen),
             None => world.geometry.surface(&path.ray, hit),
@@ -211,7 +210,8 @@ impl Tracer<'_> {
         let mut mirror = None;
         if let [only] = layers {
             if bailout < 1.0 {
-                mirror = self.layer(at, only, None, sample, &mut stack);
+                let known = at.foreseen.and_then(|foreseen| self.foreseen_color(foreseen, 0));
+                mirror = self.layer(at, only, known, sample, &mut stack);
             }
         } else {
             for (place, layer) in layers.iter().rev().enumerate() {

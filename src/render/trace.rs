@@ -226,11 +226,14 @@ impl<'w> Tracer<'w> {
         let mut hit = first;
         let mut beyond;
         let mut room = Room::NEW;
+        // For the surface that is met first, and for no ray that it sends out.
+        let mut foreseen = self.foreseen.take();
         let (mut color, mut transmit) = (Rgb::ZERO, 0.0);
         // What the way so far leaves of the light and of the transparency behind.
         let (mut left, mut clear) = (Rgb::ONE, 1.0);
         path.level += 1;
         loop {
+            let known = foreseen.take();
             if self.is_airy(path, hit.is_some()) {
                 let veil = self.air(path, hit.as_ref());
                 color += left * veil.added;
@@ -250,11 +253,11 @@ impl<'w> Tracer<'w> {
                     color += left * seen;
                     break;
                 }
-                self.shade(path, met)
+                self.shade(path, met, known)
             } else if let Some(shaded) = self.clear(path, met) {
                 shaded
             } else {
-                self.shade(path, met)
+                self.shade(path, met, known)
             };
             color += left * shaded.color;
             transmit += clear * shaded.transmit;
