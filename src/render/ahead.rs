@@ -1,6 +1,8 @@
 //! Four places of a picture are looked at together where they are near each other: their rays travel together, and what
 //! those of a tile of pixels may meet is found once. Pixels of a row are looked at ahead of who asks for them.
 
+use std::ops::Range;
+
 use super::Eye;
 use super::plain::{Bundle, Room};
 use super::random::Random;
@@ -42,6 +44,8 @@ struct Tile {
     place: Option<[i32; 2]>,
     /// Whether that is known.
     known: bool,
+    /// What all of them see, where they meet nothing and the sky is the same everywhere.
+    sky: Option<Sample>,
     within: Within,
     reflections: Reflections,
 }
@@ -66,6 +70,29 @@ impl Eye<'_> {
             return None;
         }
         Some(tracer.ahead.samples[lane as usize])
+    }
+
+    /// Adds what is seen in the middles of the pixels of a row.
+    pub(super) fn row(&self, tracer: &mut Tracer, columns: Range<u32>, row: u32, seen: &mut Vec<Sample>) {
+        let y = f64::from(row);
+        let mut column = columns.start;
+        while column < columns.end {
+            let x = f64::from(column);
+            if let Some(straight) = self.straight
+                && column.is_multiple_of(FOUR as u32)
+                && column + FOUR as u32 <= columns.end
+                && let Some(tile) =
+                    self.tile(tracer, straight, [column, row].map(|along| along as i32 & !(TILE - 1)))
+            {
+                tracer.statistics.samples += Lanes::COUNT as u64;
+                let places = [(x, y), (x + 1.0, y), (x + 2.0, y), (x + 3.0, y)];
+                seen.extend_from_slice(&self.look(tracer, straight, tile, &places));
+                column += FOUR as u32;
+            } else {
+                seen.push(self.sample(tracer, x, y));
+                column += 1;
+            }
+        }
     }
 
     /// What is seen at four image coordinates near each other.
@@ -100,15 +127,18 @@ impl Eye<'_> {
     /// The tile with an upper left pixel, where it is known what its rays may meet.
     fn tile(&self, tracer: &mut Tracer, straight: Straight, place: [i32; 2]) -> Option<usize> {
         let number = (place[0] / TILE) as usize % TILES;
-        let tile = &mut tracer.ahead.tiles[number];
-        if tile.place != Some(place) {
+        if tracer.ahead.tiles[number].place != Some(place) {
+            let sky = tracer.open_sky();
+            let tile = &mut tracer.ahead.tiles[number];
             tile.place = Some(place);
             let pencil = self.pencil_of(straight, place.map(f64::from));
             let geometry = &self.world.geometry;
             tile.known = pencil.is_some_and(|pencil| geometry.within(&pencil, &mut tile.within));
             tile.reflections.restart(pencil.filter(|_| tile.known));
+            let open = tile.known && self.inside.is_some() && geometry.meets_nothing(&tile.within);
+            tile.sky = sky.filter(|_| open);
         }
-        tile.known.then_some(number)
+        tracer.ahead.tiles[number].known.then_some(number)
     }
 
     /// Looks at four pixels from one on; whether that is worth while.
@@ -136,6 +166,11 @@ impl Eye<'_> {
         tile: usize,
         places: &[(f64, f64); Lanes::COUNT],
     ) -> [Sample; Lanes::COUNT] {
+        if let Some(sky) = tracer.ahead.tiles[tile].sky {
+            tracer.statistics.camera_rays += Lanes::COUNT as u64;
+            tracer.statistics.sky_evaluations += Lanes::COUNT as u64;
+            return [sky; Lanes::COUNT];
+        }
         let rays = self.rays_of_four(straight, places);
         let (mut hits, kind) = ([None; Lanes::COUNT], RayKind::IMAGE);
         let within = &tracer.ahead.tiles[tile].within;

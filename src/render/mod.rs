@@ -27,7 +27,9 @@ mod textures;
 mod tiles;
 mod trace;
 
-pub use film::Image;
+pub use std::ops::Range;
+
+use film::Image;
 pub use sampling::Sample;
 pub use stats::Statistics;
 
@@ -116,6 +118,10 @@ impl Look for Looking<'_, '_> {
 
     fn four(&mut self, places: &[DVec2; Lanes::COUNT]) -> [Sample; Lanes::COUNT] {
         self.eye.four(&mut self.tracer, places)
+    }
+
+    fn row(&mut self, columns: Range<u32>, row: u32, seen: &mut Vec<Sample>) {
+        self.eye.row(&mut self.tracer, columns, row, seen);
     }
 }
 

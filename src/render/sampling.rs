@@ -13,6 +13,8 @@ mod filter;
 mod neighbours;
 mod quadrants;
 
+use std::ops::Range;
+
 use super::random::Random;
 use crate::math::DVec2;
 use crate::math::gamma::Gamma;
@@ -30,6 +32,11 @@ pub(super) trait Look {
     /// At four places near each other.
     fn four(&mut self, places: &[DVec2; 4]) -> [Sample; 4] {
         places.map(|place| self.at(place))
+    }
+
+    /// Adds what is seen in the middles of the pixels of a row.
+    fn row(&mut self, columns: Range<u32>, row: u32, seen: &mut Vec<Sample>) {
+        seen.extend(columns.map(|column| self.at(DVec2::new(column.into(), row.into()))));
     }
 }
 
@@ -127,7 +134,11 @@ fn beside(number: usize, width: usize, count: usize) -> impl Iterator<Item = usi
 
 /// One sample in the middle of each pixel.
 fn centres(block: &Region, look: &mut dyn Look) -> Vec<Sample> {
-    pixels(block).map(|(x, y)| look.at(DVec2::new(x.into(), y.into()))).collect()
+    let mut seen = Vec::with_capacity(block.columns.len() * block.rows.len());
+    for row in block.rows.clone() {
+        look.row(block.columns.clone(), row, &mut seen);
+    }
+    seen
 }
 
 /// When two samples count as different.

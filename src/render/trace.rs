@@ -287,6 +287,12 @@ impl<'w> Tracer<'w> {
         !deep && !faint
     }
 
+    /// What rays from the camera see that meet nothing, where that is the same for all.
+    #[inline]
+    pub(super) fn open_sky(&self) -> Option<Sample> {
+        self.even_sky.filter(|_| self.calm).map(|[_, eye]| eye.sample())
+    }
+
     #[inline]
     fn sky(&mut self, path: &Path) -> Seen {
         self.statistics.sky_evaluations += 1;

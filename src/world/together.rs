@@ -192,6 +192,11 @@ impl Geometry {
         )
     }
 
+    /// Whether rays of a pencil meet nothing, given the objects that they may meet.
+    pub fn meets_nothing(&self, within: &Within) -> bool {
+        self.is_bounded() && within.items().is_empty()
+    }
+
     /// Whether all objects have boxes.
     pub fn is_bounded(&self) -> bool {
         self.unbounded().is_empty()
