@@ -76,6 +76,13 @@ impl Lanes {
         self.zip(other, |a, b| if a > b { a } else { b })
     }
 
+    /// Their products with others, added to a third, rounded once.
+    #[inline(always)]
+    pub fn mul_add(self, factor: Self, sum: Self) -> Self {
+        let ([a, b, c, d], [p, q, r, s], [i, j, k, l]) = (self.0, factor.0, sum.0);
+        Self([a.mul_add(p, i), b.mul_add(q, j), c.mul_add(r, k), d.mul_add(s, l)])
+    }
+
     /// The sum of products, as that of vectors.
     #[inline(always)]
     pub fn dot(a: &[Self; 3], b: &[Self; 3]) -> Self {

@@ -72,11 +72,14 @@ impl Asking<'_> {
         (leaf.transform.is_none() && !leaf.is_limited() && leaf.primitive.takes_four()).then_some(leaf)
     }
 
-    /// The bits of the rays that may meet an object, where its surface tells that better than its box.
+    /// The bits of the rays that may meet an object, where its surface tells that better than its box, and where they
+    /// meet it as far as that is known.
     #[inline(always)]
-    fn near(&self, number: u32, met: &Met) -> Option<u32> {
+    fn near(&self, number: u32, met: &Met) -> Option<(u32, Lanes)> {
         let leaf = self.geometry.lone(number)?;
-        leaf.primitive.near_of_four(|| self.inner(leaf), met.distance)
+        let (near, distance) = leaf.primitive.near_of_four(|| self.inner(leaf), met.distance)?;
+        let seen = !leaf.is_limited() && !leaf.hidden.intersects(self.kind);
+        Some((near, if seen { distance } else { Lanes::splat(f64::NAN) }))
     }
 
     /// Asks one more object, if need be for the rays of which `near` gives the bits. What was met stays in registers:
@@ -93,11 +96,22 @@ impl Asking<'_> {
                 None => met,
             };
         }
-        let mut near = self.near(number, &met).unwrap_or_else(|| near(&met.distance)) & self.asked;
+        let mut met = met;
+        let mut near = match self.near(number, &met) {
+            Some((near, distance)) => {
+                let near = near & self.asked;
+                let known = near & distance.bits(|t| t > 0.0);
+                if known != 0 {
+                    tally::primitives(known.count_ones() as usize);
+                    met = met.with(number, distance, Lanes::ZERO);
+                }
+                near & !known
+            }
+            None => near(&met.distance) & self.asked,
+        };
         if near == 0 {
             return met;
         }
-        let mut met = met;
         if near.count_ones() > 1 && self.visit_together(near, number, &mut met, told) {
             return met;
         }

@@ -5,11 +5,13 @@
 
 mod bracket;
 mod descartes;
+mod four;
 mod polynomial;
 mod unbounded;
 
 pub use bracket::{between, newton};
 pub use descartes::{Search, any_between, any_told_apart, each_told_apart};
+pub use four::first_of_four;
 pub use polynomial::{Roots, bracketed, each_root, roots_between};
 
 /// `a b - c d` with an error below 2 units in the last place (Kahan; Jeannerod et al. 2013).

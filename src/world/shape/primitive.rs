@@ -107,12 +107,14 @@ impl Primitive {
     }
 
     /// The bits of those of four rays that may meet it before `ends`, where that is told quickly and better than by its
-    /// box.
+    /// box; and where they meet it first, on part 0, as far as that is known: no number elsewhere.
     #[inline(always)]
-    pub fn near_of_four(&self, rays: impl FnOnce() -> Rays, ends: Lanes) -> Option<u32> {
+    pub fn near_of_four(&self, rays: impl FnOnce() -> Rays, ends: Lanes) -> Option<(u32, Lanes)> {
         match self {
             Self::Torus(torus) => Some(torus.near_of_four(&rays(), ends)),
-            Self::Other(shape) => shape.gate().map(|gate| gate.near_of_four(&rays())),
+            Self::Other(shape) => {
+                shape.gate().map(|gate| (gate.near_of_four(&rays()), Lanes::splat(f64::NAN)))
+            }
             _ => None,
         }
     }

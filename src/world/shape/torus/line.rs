@@ -69,16 +69,14 @@ impl<T: Number> Line<T> {
         let size = most(self.base, reach);
         (b, (size * size + most(self.around, reach)) * (64.0 * f64::EPSILON))
     }
-}
 
-impl Line<f64> {
     /// The value and how fast it grows.
     #[inline(always)]
-    pub(super) fn value(&self, t: f64) -> (f64, f64) {
+    pub(super) fn value(&self, t: T) -> (T, T) {
         let ([c, b, a], [f, e, d]) = (self.base, self.around);
-        let base = c + t * (2.0 * b + t * a);
-        let around = f + t * (2.0 * e + t * d);
-        (base * base - around, 4.0 * base * (b + t * a) - 2.0 * (e + t * d))
+        let base = c + t * (b * 2.0 + t * a);
+        let around = f + t * (e * 2.0 + t * d);
+        (base * base - around, base * 4.0 * (b + t * a) - (e + t * d) * 2.0)
     }
 }
 
