@@ -308,9 +308,14 @@ impl Shape for Poly {
         found: &mut [Option<Crossing>; Lanes::COUNT],
     ) -> bool {
         let Some(ball) = self.home.ball().filter(|_| self.degree == 4) else { return false };
-        let met = asked & !self.missed_of_four(rays, ball);
-        for lane in (0..Lanes::COUNT).filter(|lane| met >> lane & 1 == 1) {
-            found[lane] = self.nearest(&rays.ray(lane), Range { min: 0.0, max: ends.0[lane].next_up() });
+        let (missed, first) = self.first_of_four(rays, ball);
+        for lane in (0..Lanes::COUNT).filter(|lane| (asked & !missed) >> lane & 1 == 1) {
+            let (t, range) = (first.0[lane], Range { min: 0.0, max: ends.0[lane].next_up() });
+            found[lane] = if t > 0.0 {
+                range.contains(t).then(|| Crossing::new(t, 0))
+            } else {
+                self.nearest(&rays.ray(lane), range)
+            };
         }
         true
     }
