@@ -1,8 +1,10 @@
 //! `blob` (docs/spec/primitives.md 5.1).
 
+mod balls;
 mod part;
 mod walk;
 
+use self::balls::Balls;
 pub use self::part::Part;
 use self::walk::{Sought, Spans, Walk, Walked};
 use super::{Crossing, OWN_TEXTURE, Shape, downhill, uncrossed};
@@ -15,6 +17,8 @@ use crate::world::{Range, Ray, Rays};
 #[derive(Clone, Debug)]
 pub struct Blob {
     parts: Vec<Part>,
+    /// The same, where all are balls.
+    balls: Option<Balls>,
     threshold: f64,
     bounds: Bounds,
     bvh: Bvh,
@@ -42,7 +46,7 @@ impl Blob {
         };
         let textured = parts.iter().any(|part| part.texture != OWN_TEXTURE);
         let carves = parts.iter().any(|part| part.strength < 0.0);
-        Self { bvh, parts, threshold, bounds, textured, carves }
+        Self { bvh, balls: Balls::new(&parts), parts, threshold, bounds, textured, carves }
     }
 
     /// Strength at a point above the threshold, and the gradient.
@@ -71,6 +75,15 @@ impl Blob {
             point,
             #[inline(always)]
             |run| {
+                if let Some(balls) = &self.balls {
+                    balls.fields(
+                        run,
+                        point,
+                        #[inline(always)]
+                        |number, field, gradient| found(&self.parts[number], field, gradient),
+                    );
+                    return false;
+                }
                 for part in &self.parts[run] {
                     let (field, gradient) = part.field(point);
                     if field != 0.0 {
@@ -87,14 +100,24 @@ impl Blob {
     fn walk(&self, ray: &Ray, range: Range, sought: Sought, found: impl FnMut(f64) -> bool) -> Walked {
         let mut spans = Spans::new();
         let mut walk = Walk::new(self, ray, range, sought, &mut spans);
+        let moved = walk.ray;
         widest(
             #[inline(always)]
             || {
                 self.bvh.runs_along(
-                    &walk.ray.clone(),
+                    &moved,
                     walk.line,
                     #[inline(always)]
                     |run| {
+                        if let Some(balls) = &self.balls {
+                            let more = balls.meet(
+                                run,
+                                &moved,
+                                #[inline(always)]
+                                |span| walk.add(span),
+                            );
+                            return if more { walk.line.max } else { f64::NEG_INFINITY };
+                        }
                         for part in &self.parts[run] {
                             if !walk.take(part) {
                                 return f64::NEG_INFINITY;

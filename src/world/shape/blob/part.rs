@@ -40,6 +40,12 @@ impl Part {
         [tube, half(low, f64::NEG_INFINITY, 0.0), half(high, 0.0, f64::INFINITY)]
     }
 
+    /// The scale and the way to the space of a ball that is reached without turning; `None` for other parts.
+    pub(super) fn even_ball(&self) -> Option<(f64, DVec3)> {
+        let is_ball = self.is_even && !self.tube && self.ends == WHOLE;
+        is_ball.then_some((self.inverse.matrix3.x_axis.x, self.inverse.translation))
+    }
+
     /// Strength at a point, and the gradient.
     #[inline(always)]
     pub(super) fn field(&self, point: DVec3) -> (f64, DVec3) {
@@ -152,7 +158,7 @@ impl Part {
 const WHOLE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// The share of the squared distance by which a ray must pass a field, far more than it is rounded by.
-const CLEAR: f64 = 1e-12;
+pub(super) const CLEAR: f64 = 1e-12;
 
 fn around_ball(transform: &Transform) -> Bounds {
     let m = transform.forward.matrix3.transpose();
@@ -167,8 +173,8 @@ pub(super) struct Span {
     pub(super) enter: f64,
     pub(super) leave: f64,
     /// c, b, a of the squared distance a t² + 2 b t + c.
-    square: [f64; 3],
-    strength: f64,
+    pub(super) square: [f64; 3],
+    pub(super) strength: f64,
     /// The field is nowhere more.
     pub(super) peak: f64,
 }

@@ -153,7 +153,8 @@ impl<'a> Walk<'a> {
         if peak < threshold - sure {
             return walked;
         }
-        let spans = &mut *self.spans;
+        // Where they are: what is put into order are references.
+        let mut spans: SmallVec<[&Span; 16]> = self.spans.iter().collect();
         spans.sort_unstable_by(|a, b| a.enter.total_cmp(&b.enter));
         let spans = spans.as_slice();
         let Some(mut end) = spans.first().map(|span| span.enter) else {
@@ -173,7 +174,7 @@ impl<'a> Walk<'a> {
                 }
             }
             while entered < spans.len() && spans[entered].enter <= start {
-                active.push(&spans[entered]);
+                active.push(spans[entered]);
                 entered += 1;
             }
             let active = active.as_slice();
