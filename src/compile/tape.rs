@@ -1,7 +1,10 @@
 //! Writes the tapes of expressions (docs/spec/language.md 4.2).
 
+mod constants;
+
 use std::sync::Arc;
 
+use self::constants::folded;
 use super::Unsupported;
 use super::texture::TextureCompiler;
 use crate::scene;
@@ -58,6 +61,7 @@ impl<'w, 'a> Writer<'w, 'a> {
     /// The tape of the whole expression, and how many functions deep it calls.
     pub(super) fn tape(mut self, expression: &Expr) -> Result<(Tape, u32), Unsupported> {
         let result = self.value(expression)?;
+        self.constants.truncate(self.constants_read(result));
         let first = self.most;
         let settle = |register: Register| match register & CONSTANT {
             0 => register,
@@ -115,25 +119,8 @@ impl<'w, 'a> Writer<'w, 'a> {
         register
     }
 
-    fn constant(&mut self, value: f64) -> Result<Register, Unsupported> {
-        let known = self.constants.iter().position(|c| c.to_bits() == value.to_bits());
-        let index = known.unwrap_or(self.constants.len());
-        if known.is_none() {
-            self.constants.push(value);
-        }
-        if index >= Tape::MOST_REGISTERS {
-            return Err(too_big(self.function));
-        }
-        Ok(index as Register | CONSTANT)
-    }
-
     fn parameter(&self, index: u16) -> Register {
         self.written_out.as_ref().map_or(index, |arguments| arguments[usize::from(index)])
-    }
-
-    /// The number in a register that holds a constant.
-    fn known(&self, register: Register) -> Option<f64> {
-        (register & CONSTANT != 0).then(|| self.constants[usize::from(register & !CONSTANT)])
     }
 
     fn running_variable(&self, index: u16) -> Result<Register, Unsupported> {
@@ -206,7 +193,10 @@ impl<'w, 'a> Writer<'w, 'a> {
                     self.used = mark;
                     self.constant(value)?
                 }
-                None => self.result(mark, code, a, b)?,
+                None => match self.with_number(&code, a, b) {
+                    Some((code, other)) => self.result(mark, code, other, other)?,
+                    None => self.result(mark, code, a, b)?,
+                },
             };
         }
         Ok(sum)
@@ -337,20 +327,6 @@ impl<'w, 'a> Writer<'w, 'a> {
         self.result(mark, Code::Internal(internal, [y, z]), x, first)
     }
 
-    /// The first of the registers in a row that hold these constants.
-    fn run_of_constants(&mut self, values: &[f64]) -> Result<Register, Unsupported> {
-        let is_same = |run: &[f64]| run.iter().zip(values).all(|(a, b)| a.to_bits() == b.to_bits());
-        let known = self.constants.windows(values.len().max(1)).position(is_same);
-        let index = known.unwrap_or(self.constants.len());
-        if known.is_none() {
-            self.constants.extend_from_slice(values);
-        }
-        if index + values.len() > Tape::MOST_REGISTERS {
-            return Err(too_big(self.function));
-        }
-        Ok(index as Register | CONSTANT)
-    }
-
     /// Writes the expression of a function instead of a call.
     fn write_out(&mut self, body: &Expr, arguments: &[Expr]) -> Result<Register, Unsupported> {
         let mark = self.used;
@@ -429,18 +405,6 @@ fn number(expression: &Expr) -> Option<f64> {
         Expr::Negate(e) => number(e).map(|value| -value),
         _ => None,
     }
-}
-
-/// What an operator makes of two numbers.
-fn folded(code: &Code, a: f64, b: f64) -> Option<f64> {
-    Some(match code {
-        Code::Add => a + b,
-        Code::Subtract => a - b,
-        Code::Multiply => a * b,
-        Code::Divide => a / b,
-        Code::Unary(Unary::Square) => a * a,
-        _ => return None,
-    })
 }
 
 fn too_big(function: &scene::Function) -> Unsupported {

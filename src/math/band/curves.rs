@@ -78,22 +78,28 @@ impl Band {
         }
         let (sin, cos) = self.middle.sin_cos();
         let spread = self.spread();
-        // The second derivative is the value itself, which isn't above 1.
-        let bend = |value: Lanes| {
-            let most = (value.abs() + spread).zip(Lanes::splat(1.0), f64::min);
-            spread * spread * most * 0.5
-        };
-        let within_one = |band: Self| {
-            // Where the tangent says less than that sines are in -1 … 1.
-            let vague = band.spread() - 1.0;
-            let any = Self { reach: Lanes::splat(1.0), ..Self::constant(0.0) };
-            any.where_positive(vague, band)
-        };
         let exact = Lanes::splat(Lanes::SINE_ERROR);
-        let s = Self { middle: sin, slope: self.slope * cos, reach: self.reach * cos.abs() + bend(sin) };
-        let c = Self { middle: cos, slope: -(self.slope * sin), reach: self.reach * sin.abs() + bend(cos) };
+        let (bend_s, bend_c) = (Self::bend_of_sine(sin, spread), Self::bend_of_sine(cos, spread));
+        let s = Self { middle: sin, slope: self.slope * cos, reach: self.reach * cos.abs() + bend_s };
+        let c = Self { middle: cos, slope: -(self.slope * sin), reach: self.reach * sin.abs() + bend_c };
         let error = exact * (spread + 1.0);
-        (within_one(s.loosened(error)), within_one(c.loosened(error)))
+        (s.loosened(error).within_one(), c.loosened(error).within_one())
+    }
+
+    /// How far a sine of a value may be off its tangent beside which angles are spread.
+    #[inline(always)]
+    fn bend_of_sine(value: Lanes, spread: Lanes) -> Lanes {
+        // The second derivative is the value itself, which isn't above 1.
+        let most = (value.abs() + spread).zip(Lanes::splat(1.0), f64::min);
+        spread * spread * most * 0.5
+    }
+
+    /// All of -1 … 1 where the band says less than that.
+    #[inline(always)]
+    fn within_one(self) -> Self {
+        let vague = self.spread() - 1.0;
+        let any = Self { reach: Lanes::splat(1.0), ..Self::constant(0.0) };
+        any.where_positive(vague, self)
     }
 
     #[inline(always)]

@@ -33,6 +33,10 @@ pub enum Code {
     Add,
     Subtract,
     Multiply,
+    /// The sum with a number.
+    Plus(f64),
+    /// The product with a number.
+    Times(f64),
     Divide,
     Less,
     LessEqual,
@@ -182,7 +186,9 @@ impl Tape {
     #[inline(always)]
     fn try_evaluate<N: Operand>(&self, arguments: &[N], budget: &Budget) -> Option<N> {
         let registers = self.first_constant + self.constants.len();
-        if registers <= FEW / 2 {
+        if registers <= FEW / 4 {
+            self.evaluate_in::<N, { FEW / 4 }>(arguments, budget)
+        } else if registers <= FEW / 2 {
             self.evaluate_in::<N, { FEW / 2 }>(arguments, budget)
         } else if registers <= FEW {
             self.evaluate_in::<N, FEW>(arguments, budget)
@@ -243,6 +249,8 @@ impl Tape {
                 Code::Add => put!(*a + *b),
                 Code::Subtract => put!(*a - *b),
                 Code::Multiply => put!(*a * *b),
+                Code::Plus(number) => put!(*a + *number),
+                Code::Times(number) => put!(*a * *number),
                 Code::Divide => put!(*a / *b),
                 Code::Less => put!(a.less(*b)),
                 Code::LessEqual => put!(a.less_equal(*b)),

@@ -14,6 +14,7 @@ use super::r#box::Cuboid;
 use super::sphere::Sphere;
 use super::stretch::Stretch;
 use super::{Crossing, Remark, Shape};
+use crate::math::wide::widest;
 use crate::math::{Band, Bounds, DVec3, Lanes};
 use crate::world::sample::Field;
 use crate::world::{Range, Ray, Rays};
@@ -90,10 +91,13 @@ impl Container {
 
     /// What of a line is inside.
     pub(super) fn stretch(&self, ray: &Ray) -> Option<Stretch> {
-        match self {
-            Self::Box(cuboid) => cuboid.stretch(ray),
-            Self::Sphere(sphere) => sphere.stretch(ray),
-        }
+        widest(
+            #[inline(always)]
+            || match self {
+                Self::Box(cuboid) => cuboid.stretch(ray),
+                Self::Sphere(sphere) => sphere.stretch(ray),
+            },
+        )
     }
 
     fn holds(&self, point: DVec3) -> bool {
