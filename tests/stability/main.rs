@@ -51,22 +51,9 @@ const RAYS: u64 = 10_000;
 /// A distance with an error of more units than these is worth being shown.
 const FAR_OFF: f64 = 1000.0;
 
-/// Subjects that have fewer, and why.
-const FEWER: [(u64, &[&str], &str); 1] = [(
-    5000,
-    &["julia.cube", "julia.hypercomplex"],
-    "as it takes two milliseconds to find what one of them meets and to prove it",
-)];
-
 /// Rays to a scale, where that was told by hand.
 fn told() -> Option<u64> {
     std::env::var("POVISTA_STABILITY_RAYS").ok().and_then(|n| n.parse().ok())
-}
-
-/// Rays to a scale of a subject.
-fn rays(name: &str) -> u64 {
-    let usual = || FEWER.iter().find(|(_, names, _)| names.contains(&name)).map_or(RAYS, |(rays, ..)| *rays);
-    told().unwrap_or_else(usual)
 }
 
 /// The world with one object.
@@ -124,7 +111,7 @@ fn score<M: Subject>(model: &M, object: &str, size: f64, place: DVec3, rays: u64
 
 /// Puts a subject through all sizes and places: what `make` makes is an object and its model.
 fn shoot_at<M: Subject>(name: &str, make: impl Fn(f64) -> (String, M)) {
-    let rays = rays(name);
+    let rays = told().unwrap_or(RAYS);
     let (mut sized, mut placed) = (Score::default(), Score::default());
     for size in SIZES {
         let (object, model) = make(size);

@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use std::time::SystemTime;
 
 use crate::shoot::Score;
-use crate::{FEWER, RAYS, povray, told};
+use crate::{RAYS, povray, told};
 
 /// Several tests may renew their rows at once.
 static FILE: Mutex<()> = Mutex::new(());
@@ -41,10 +41,7 @@ fn notes() -> String {
         return String::new();
     }
     let Some(rays) = told() else {
-        let all = format!("# {RAYS} rays to each of 5 sizes and 3 places, but for those named here.\n");
-        let fewer =
-            |(rays, names, why): &(u64, &[&str], &str)| format!("# {rays} to {}: {why}.\n", names.join(", "));
-        return std::iter::once(all).chain(FEWER.iter().map(fewer)).collect();
+        return format!("# {RAYS} rays to each of 5 sizes and 3 places.\n");
     };
     let seconds = SystemTime::UNIX_EPOCH.elapsed().map_or(0, |time| time.as_secs());
     let date = chrono::DateTime::from_timestamp(seconds as i64, 0).unwrap_or_default().date_naive();
