@@ -101,7 +101,11 @@ impl Eye<'_> {
             && let Some(tile) = self.tile_around(tracer, straight, places)
         {
             tracer.statistics.samples += Lanes::COUNT as u64;
-            return self.look(tracer, straight, tile, &places.map(Into::into));
+            let places = places.map(Into::into);
+            return widest(
+                #[inline(always)]
+                || self.look(tracer, straight, tile, &places),
+            );
         }
         places.map(|place| self.sample(tracer, place.x, place.y))
     }
@@ -153,12 +157,16 @@ impl Eye<'_> {
         for (lane, place) in places.iter_mut().enumerate() {
             place.0 += lane as f64;
         }
-        let samples = self.look(tracer, straight, tile, &places);
+        let samples = widest(
+            #[inline(always)]
+            || self.look(tracer, straight, tile, &places),
+        );
         (tracer.ahead.first, tracer.ahead.samples) = (Some(first), samples);
         true
     }
 
     /// What is seen at four places of a tile.
+    #[inline(always)]
     fn look(
         &self,
         tracer: &mut Tracer,
@@ -218,7 +226,7 @@ impl Eye<'_> {
     }
 
     /// Shows what up to four rays see of which it is known what they meet first; `path` is that of a ray before.
-    #[inline]
+    #[inline(always)]
     pub(super) fn four_seen(
         &self,
         tracer: &mut Tracer,

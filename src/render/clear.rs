@@ -87,7 +87,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// What a surface that is that simple gives off, and scatters and mirrors of the light of lamps.
-    #[inline]
+    #[inline(always)]
     fn own_light(
         &mut self,
         (path, hit): (&Path, &Hit),

@@ -54,7 +54,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The numbers of the lamps that may light a point of a leaf, which `room` is for.
-    #[inline]
+    #[inline(always)]
     pub(super) fn lamps_near<'a>(&mut self, leaf: &Leaf, point: DVec3, room: &'a mut Numbers) -> &'a [u32]
     where
         'w: 'a,
@@ -168,7 +168,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// What a layer makes of the light `color` from one place.
-    #[inline]
+    #[inline(always)]
     pub(super) fn answer(
         &mut self,
         surface: &Surface,

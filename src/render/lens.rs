@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use super::Eye;
-use super::jitter::jitter;
+use super::jitter::{jitter, jitter_of_four};
 use super::plain::Room;
 use super::sampling::Sample;
 use super::trace::{Path, Tracer};
@@ -22,6 +22,9 @@ const EDGE: f64 = 0.55;
 
 /// What rays of so many pixels in a row may meet is found together.
 const ROW: f64 = 4.0;
+
+/// Variances this near to a limit, in parts of the mean square, are compared digit by digit.
+const DOUBT: f64 = 1e-13;
 
 /// Where rays go through a pixel, by the numbers of the place from the left and from the top.
 static SHIFTS: LazyLock<[[DVec2; PLACES]; PLACES]> = LazyLock::new(|| {
@@ -57,17 +60,24 @@ impl Sums {
         self.values.0.map(|sum| (sum / self.count as f64) as f32)
     }
 
-    /// The variance of the mean of a component.
+    /// Whether the variance of the mean of a component is below a limit. Mostly that shows without a division.
     #[inline]
-    fn variance(&self, component: usize) -> f64 {
+    fn varies_less(&self, component: usize, limit: f64) -> bool {
         let n = self.count as f64;
-        let mean = self.values.0[component] / n;
-        (self.squares.0[component] / n - mean * mean) / n
+        let (sum, squares) = (self.values.0[component], self.squares.0[component]);
+        // n³ times the variance and its limit, known better than to a hundredth of the doubt, as the variance itself is.
+        let (many, most) = (squares * n - sum * sum, limit * (n * n * n));
+        if (many - most).abs() > squares * n * DOUBT {
+            return many < most;
+        }
+        let mean = sum / n;
+        (squares / n - mean * mean) / n < limit
     }
 }
 
 impl Eye<'_> {
     /// The colour and transmit at image coordinates, through the lens.
+    #[inline(always)]
     pub(super) fn through_lens(&self, tracer: &mut Tracer, blur: &FocalBlur, x: f64, y: f64) -> Sample {
         let seed = ((313.0 * x + 11.0) as i32).wrapping_add((311.0 * y + 17.0) as i32);
         let shifts = &*SHIFTS;
@@ -139,7 +149,9 @@ impl Eye<'_> {
                     |sample| sums.add(sample),
                 );
             }
-            if end == blur.max_samples() || blur.is_enough(sums.count, |component| sums.variance(component)) {
+            if end == blur.max_samples()
+                || blur.is_enough(sums.count, |component, limit| sums.varies_less(component, limit))
+            {
                 break;
             }
         }
@@ -171,15 +183,14 @@ impl Eye<'_> {
         places: &[(f64, f64); Lanes::COUNT],
         first: usize,
     ) -> Rays {
-        let mut shifts = [DVec2::ZERO; Lanes::COUNT];
         let (mut x, mut y) = (Lanes::ZERO, Lanes::ZERO);
-        for lane in 0..Lanes::COUNT {
-            (x.0[lane], y.0[lane]) = places[lane];
-            shifts[lane] = jitter(places[lane].0 + 0.5, places[lane].1 - 0.5);
+        for (lane, &place) in places.iter().enumerate() {
+            (x.0[lane], y.0[lane]) = place;
         }
         widest(
             #[inline(always)]
             || {
+                let shifts = jitter_of_four(x + 0.5, y + -0.5);
                 let [x, y] = film_of_four(x, y, self.options.width, self.options.height);
                 blur.rays(&perspective.directions(x, y), first, &shifts)
             },
@@ -201,5 +212,33 @@ impl Eye<'_> {
         let mut ray = blur.ray(direction, index, jitter(x + 0.5, y - 0.5));
         camera.bend(&mut ray, parameters);
         self.seen(tracer, ray, (x, y), f64::INFINITY)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::dice::numbers;
+
+    #[test]
+    fn variances_are_compared_as_their_digits_say() {
+        let mut number = numbers(5);
+        for count in 1..200 {
+            let mut sums = Sums::NONE;
+            for _ in 0..count {
+                sums.add([number() as f32, 0.5, number() as f32 * 1e-6 + 7.0, 0.0]);
+            }
+            for component in 0..4 {
+                let (n, mean) = (count as f64, sums.values.0[component] / count as f64);
+                let variance = (sums.squares.0[component] / n - mean * mean) / n;
+                for limit in [0.0, variance, variance.next_up(), variance.next_down(), 0.5 * variance, 1e-9] {
+                    assert_eq!(
+                        sums.varies_less(component, limit),
+                        variance < limit,
+                        "{count} {component} {limit}"
+                    );
+                }
+            }
+        }
     }
 }

@@ -34,6 +34,7 @@ pub use sampling::Sample;
 pub use stats::Statistics;
 
 use crate::math::tally::Tally;
+use crate::math::wide::widest;
 use crate::math::{DVec2, Lanes};
 use crate::options::{Antialias, AntialiasMethod, Region, RenderOptions, Sampling};
 use crate::world::accel::Hull;
@@ -173,7 +174,10 @@ impl<'w> Eye<'w> {
             return self.through_mesh(tracer, mesh, x, y);
         }
         if let Some(blur) = &camera.blur {
-            return self.through_lens(tracer, blur, x, y);
+            return widest(
+                #[inline(always)]
+                || self.through_lens(tracer, blur, x, y),
+            );
         }
         if let Some(straight) = self.straight.filter(|_| self.in_rows)
             && let Some(sample) = self.looked_ahead(tracer, straight, x, y)

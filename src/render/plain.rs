@@ -258,7 +258,7 @@ impl<'w> Tracer<'w> {
     }
 
     /// The light that a lamp makes a layer send to the eye.
-    #[inline]
+    #[inline(always)]
     pub(super) fn plain_light(
         &mut self,
         at: &Target,

@@ -4,6 +4,7 @@ use super::mirror;
 use super::plain::{Bundle, Plain, Room};
 use super::random::Random;
 use super::trace::{Path, Tracer};
+use crate::math::wide::widest;
 use crate::math::{DVec3, Lanes, Rgb};
 use crate::world::accel::{Pencil, Within};
 use crate::world::hit::Geometry;
@@ -85,7 +86,23 @@ struct Mirrored {
 impl Tracer<'_> {
     /// What simple surfaces mirror where rays of a bundle from the eye met them; nothing is said of those that have to
     /// look for themselves.
+    #[inline(never)]
     pub(super) fn reflections<const N: usize>(
+        &mut self,
+        path: &Path,
+        bundle: &Bundle<N>,
+        met: &[Option<Plain>; N],
+        surfaces: &[Intersection; N],
+        seen: &mut [Option<Rgb>; N],
+    ) {
+        widest(
+            #[inline(always)]
+            || self.reflected_together(path, bundle, met, surfaces, seen),
+        );
+    }
+
+    #[inline(always)]
+    fn reflected_together<const N: usize>(
         &mut self,
         path: &Path,
         bundle: &Bundle<N>,

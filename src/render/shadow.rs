@@ -45,7 +45,7 @@ pub(super) fn way(from: DVec3, error: f64, incident: &Incident) -> (Ray, Range) 
 
 /// Whether objects are in the way of light from a lamp to a surface of one of them; those that only their surfaces
 /// can decide on are `near`.
-#[inline]
+#[inline(always)]
 fn sift(
     umbras: &[Umbra],
     surface: &Intersection,
@@ -55,36 +55,40 @@ fn sift(
     near: &mut Vec<u32>,
 ) -> Verdict {
     near.clear();
-    if umbras.is_empty() {
+    let outside = !surface.inside && to_lamp.dot(surface.geometric) > 0.0;
+    let is_left = |umbra: &Umbra| umbra.object == object && outside && umbra.left_for_good;
+    if umbras.iter().all(is_left) {
         return OPEN;
     }
-    let outside = !surface.inside && to_lamp.dot(surface.geometric) > 0.0;
     let way = surface.leave(*to_lamp) - lamp;
     let mut found = OPEN;
-    widest(
-        #[inline(always)]
-        || {
-            for umbra in umbras {
-                if umbra.object == object && outside && umbra.left_for_good {
-                    continue;
-                }
-                let verdict = umbra.verdict(way);
-                if verdict == SHUT {
-                    return SHUT;
-                }
-                if verdict == UNKNOWN {
-                    near.push(umbra.object);
-                    found = UNKNOWN;
-                }
-            }
-            found
-        },
-    )
+    for umbra in umbras {
+        if is_left(umbra) {
+            continue;
+        }
+        let verdict = umbra.verdict(way);
+        if verdict == SHUT {
+            return SHUT;
+        }
+        if verdict == UNKNOWN {
+            near.push(umbra.object);
+            found = UNKNOWN;
+        }
+    }
+    found
 }
 
 impl Tracer<'_> {
     /// The light that arrives from `light`, given what would arrive if nothing were in the way.
     pub(super) fn unblocked(&mut self, at: &Target, number: u32, incident: &Incident) -> Rgb {
+        widest(
+            #[inline(always)]
+            || self.found_unblocked(at, number, incident),
+        )
+    }
+
+    #[inline(always)]
+    fn found_unblocked(&mut self, at: &Target, number: u32, incident: &Incident) -> Rgb {
         let light = &self.world.lights[number as usize];
         if !self.quality.shadows || (light.shadowless && light.projected_through.is_none()) {
             self.statistics.lights_shadowless += 1;

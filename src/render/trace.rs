@@ -186,7 +186,7 @@ impl<'w> Tracer<'w> {
 
     /// The same for the first `count` rays of a bundle, where the air is [`calm`](Self::calm); whether they come from the
     /// `EYE` as far as they are known.
-    #[inline]
+    #[inline(always)]
     pub(super) fn trace_bundle<const N: usize, const EYE: bool>(
         &mut self,
         path: &mut Path,
@@ -204,12 +204,15 @@ impl<'w> Tracer<'w> {
             self.look_at_layers(bundle, &plain);
         }
         for lane in 0..count {
-            path.ray = bundle.rays[lane];
             // Shown where it is known: what comes together from several places goes through memory.
             match (plain[lane], bundle.hits[lane]) {
                 (Some(color), _) => show(Seen { color, transmit: 0.0 }),
-                (None, None) => show(self.sky(path)),
+                (None, None) => {
+                    path.ray.direction = bundle.rays[lane].direction;
+                    show(self.sky(path));
+                }
                 (None, hit) => {
+                    path.ray = bundle.rays[lane];
                     self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
                     self.foreseen = if several { self.foresee(lane) } else { None };
                     show(self.follow(&mut path.clone(), &hit.copied()));

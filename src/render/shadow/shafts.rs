@@ -34,6 +34,30 @@ const MOST: f64 = 1e9;
 #[derive(Debug, Default)]
 pub(in crate::render) struct Shafts {
     cells: Vec<Shaft>,
+    last: Last,
+}
+
+/// The cell that was asked for last: the next point is mostly in it too.
+#[derive(Debug, Default)]
+struct Last {
+    /// As [`Cell::lamp`].
+    lamp: u64,
+    /// Its low corner.
+    low: DVec3,
+    /// Zero before there is any.
+    width: f64,
+    slot: usize,
+}
+
+impl Last {
+    /// Whether the cell of that lamp around a surface is this one.
+    #[inline]
+    fn is_around(&self, lamp: u64, surface: &Intersection) -> bool {
+        // Differences of what is close to each other: below zero, or not less than the width, if the numbers are.
+        let DVec3 { x, y, z } = surface.point - self.low;
+        let within = |along: f64| (along >= 0.0) & (along < self.width);
+        (lamp == self.lamp) & within(x) & within(y) & within(z) & (surface.error < ROOM * self.width)
+    }
 }
 
 /// A cell as a lamp sees it: in words as they are compared, for halves put together in memory would be waited for.
@@ -70,7 +94,7 @@ impl Shafts {
     /// The objects that may be in the way between a surface that is seen from a `distance` and a lamp;
     /// `None` where finding them isn't worth while, or they are many; else where [`among`](Self::among) has them.
     /// `pixel` is the size of a pixel at distance 1.
-    #[inline]
+    #[inline(always)]
     pub(super) fn find(
         &mut self,
         geometry: &Geometry,
@@ -83,19 +107,24 @@ impl Shafts {
             return None;
         }
         let pixels = if light.area.is_some() { AREA_PIXELS } else { PIXELS };
-        let (cell, width) = Cell::around(number, surface, pixels * pixel * distance)?;
-        if self.cells.is_empty() {
-            self.cells.resize(CELLS, Shaft::default());
+        let lamp = lamp_word(number, pixels * pixel * distance);
+        if !self.last.is_around(lamp, surface) {
+            let (cell, width) = Cell::around(lamp, surface)?;
+            let slot = cell.slot();
+            if self.cells.is_empty() {
+                self.cells.resize(CELLS, Shaft::default());
+            }
+            if self.cells[slot].cell != cell {
+                self.cells[slot] = Shaft { cell, asked: 0, among: None };
+            }
+            self.last = Last { lamp, low: cell.low(width), width, slot };
         }
-        let slot = cell.slot();
+        let slot = self.last.slot;
         let shaft = &mut self.cells[slot];
-        if shaft.cell != cell || shaft.asked == 0 {
-            *shaft = Shaft { cell, asked: 0, among: None };
-        }
         shaft.asked = shaft.asked.saturating_add(1);
         let worth = if light.area.is_some() { 1 } else { WORTH };
         if shaft.asked == worth {
-            shaft.among = look(geometry, cell, width, light);
+            shaft.among = look(geometry, shaft.cell, self.last.width, light);
         }
         shaft.among.is_some().then_some(slot)
     }
@@ -133,11 +162,17 @@ fn look(geometry: &Geometry, cell: Cell, width: f64, light: &Light) -> Option<Be
     few.then_some(Between::Screens(found))
 }
 
+/// [`Cell::lamp`] of cells that are at least so wide.
+#[inline]
+fn lamp_word(number: u32, width: f64) -> u64 {
+    u64::from(number) << 32 | width.to_bits() >> 52
+}
+
 impl Cell {
-    /// The cell around a point of a surface, at least so wide, and its width.
+    /// The cell around a point of a surface for the word of a lamp, and its width.
     #[inline]
-    fn around(light: u32, surface: &Intersection, width: f64) -> Option<(Self, f64)> {
-        let exponent = width.to_bits() >> 52;
+    fn around(lamp: u64, surface: &Intersection) -> Option<(Self, f64)> {
+        let exponent = lamp & u64::from(u32::MAX);
         if !EXPONENTS.contains(&exponent) {
             return None;
         }
@@ -148,13 +183,15 @@ impl Cell {
         let known = near & (surface.error < ROOM * width);
         let two = |high: u32, low: u32| u64::from(high) << 32 | u64::from(low);
         let [x, y, z] = [x, y, z].map(|along| floor(along) as u32);
-        let cell = Self { lamp: two(light, exponent as u32), across: two(x, y), along: z.into() };
+        let cell = Self { lamp, across: two(x, y), along: z.into() };
         known.then_some((cell, width))
     }
 
-    /// Its place from the origin, in widths.
-    fn place(&self) -> [i32; 3] {
-        [(self.across >> 32) as i32, self.across as i32, self.along as i32]
+    /// Its low corner.
+    #[inline]
+    fn low(&self, width: f64) -> DVec3 {
+        let [x, y, z] = [(self.across >> 32) as i32, self.across as i32, self.along as i32];
+        DVec3::new(f64::from(x), f64::from(y), f64::from(z)) * width
     }
 
     /// Where it is remembered.
@@ -170,8 +207,7 @@ impl Cell {
 
     /// Where its points are.
     fn bounds(&self, width: f64) -> Bounds {
-        let [x, y, z] = self.place();
-        let low = DVec3::new(f64::from(x), f64::from(y), f64::from(z)) * width;
+        let low = self.low(width);
         Bounds::new(low - ROOM * width, low + (1.0 + ROOM) * width)
     }
 
@@ -218,15 +254,22 @@ mod tests {
     fn a_cell_holds_the_point_it_is_around() {
         for (point, wanted) in [(0.3, 0.25), (-7.1, 1.0), (1e5, 3e-3), (-1e-9, 1e-12)] {
             let surface = Intersection::in_space(DVec3::new(point, -point, 0.0));
-            let (cell, width) = Cell::around(1, &surface, wanted).unwrap();
+            let (cell, width) = Cell::around(lamp_word(1, wanted), &surface).unwrap();
             assert!(width >= wanted && width <= 2.0 * wanted, "{wanted}: {width}");
-            let low = cell.place().map(|x| f64::from(x) * width);
+            let low = cell.low(width);
             assert!(low[0] <= point && point <= low[0] + width, "{point} {low:?}");
             assert!(low[1] <= -point && -point <= low[1] + width, "{point} {low:?}");
+            let last = Last { lamp: cell.lamp, low, width, slot: cell.slot() };
+            for moved in [-1.0, -1e-9, 0.0, 1e-9, 0.3, 1.0 - 1e-9, 1.0] {
+                let surface = Intersection::in_space(low + DVec3::new(moved * width, 0.3 * width, 0.0));
+                let is_same = Cell::around(cell.lamp, &surface) == Some((cell, width));
+                assert_eq!(last.is_around(cell.lamp, &surface), is_same, "{point} {moved}");
+                assert!(!last.is_around(cell.lamp + 1, &surface));
+            }
         }
         // Where rounding may move points out of it there is none.
-        assert_eq!(Cell::around(1, &Intersection::in_space(DVec3::splat(1e9)), 1e-9), None);
-        assert_eq!(Cell::around(1, &Intersection::in_space(DVec3::ZERO), 0.0), None);
-        assert_eq!(Cell::around(1, &Intersection::in_space(DVec3::NAN), 1.0), None);
+        assert_eq!(Cell::around(lamp_word(1, 1e-9), &Intersection::in_space(DVec3::splat(1e9))), None);
+        assert_eq!(Cell::around(lamp_word(1, 0.0), &Intersection::in_space(DVec3::ZERO)), None);
+        assert_eq!(Cell::around(lamp_word(1, 1.0), &Intersection::in_space(DVec3::NAN)), None);
     }
 }

@@ -82,13 +82,13 @@ impl FocalBlur {
     /// The same for four directions and the samples from number `first` on; where there are no more, the last
     /// again. The directions are unit where [`FocalBlur::pencil`] has the rays.
     #[inline(always)]
-    pub fn rays(&self, directions: &[Lanes; 3], first: usize, shifts: &[DVec2; Lanes::COUNT]) -> Rays {
+    pub fn rays(&self, directions: &[Lanes; 3], first: usize, shifts: &[Lanes; 2]) -> Rays {
         let (mut x, mut y) = (Lanes::ZERO, Lanes::ZERO);
-        for (lane, &shift) in shifts.iter().enumerate() {
+        for lane in 0..Lanes::COUNT {
             let place = self.places[(first + lane).min(self.places.len() - 1)];
-            let place = place + 2.0 * self.spread * shift;
             (x.0[lane], y.0[lane]) = (place.x, place.y);
         }
+        let [x, y] = [x + shifts[0] * (2.0 * self.spread), y + shifts[1] * (2.0 * self.spread)];
         let (across, upward) = (self.axes[0].to_array(), self.axes[1].to_array());
         let location = self.location.to_array();
         let mut rays = Rays { origin: [Lanes::ZERO; 3], direction: *directions };
@@ -126,11 +126,11 @@ impl FocalBlur {
         self.batches.get(index).copied().unwrap_or(4) as usize
     }
 
-    /// Whether `count` rays with these variances of their mean, by the number of the component, are enough. Mostly the
-    /// first tells.
+    /// Whether `count` rays are enough: `below` tells whether the variance of their mean is below a limit, by the number
+    /// of the component. Mostly the first tells.
     #[inline]
-    pub fn is_enough(&self, count: usize, variance: impl Fn(usize) -> f64) -> bool {
-        let enough = |component| variance(component) < self.thresholds[count - 1];
+    pub fn is_enough(&self, count: usize, below: impl Fn(usize, f64) -> bool) -> bool {
+        let enough = |component| below(component, self.thresholds[count - 1]);
         count >= self.min_samples as usize && (0..4).all(enough)
     }
 }
