@@ -101,11 +101,7 @@ impl Eye<'_> {
             && let Some(tile) = self.tile_around(tracer, straight, places)
         {
             tracer.statistics.samples += Lanes::COUNT as u64;
-            let places = places.map(Into::into);
-            return widest(
-                #[inline(always)]
-                || self.look(tracer, straight, tile, &places),
-            );
+            return self.look(tracer, straight, tile, &places.map(Into::into));
         }
         places.map(|place| self.sample(tracer, place.x, place.y))
     }
@@ -157,16 +153,12 @@ impl Eye<'_> {
         for (lane, place) in places.iter_mut().enumerate() {
             place.0 += lane as f64;
         }
-        let samples = widest(
-            #[inline(always)]
-            || self.look(tracer, straight, tile, &places),
-        );
+        let samples = self.look(tracer, straight, tile, &places);
         (tracer.ahead.first, tracer.ahead.samples) = (Some(first), samples);
         true
     }
 
     /// What is seen at four places of a tile.
-    #[inline(always)]
     fn look(
         &self,
         tracer: &mut Tracer,
@@ -179,6 +171,20 @@ impl Eye<'_> {
             tracer.statistics.sky_evaluations += Lanes::COUNT as u64;
             return [sky; Lanes::COUNT];
         }
+        widest(
+            #[inline(always)]
+            || self.look_at_objects(tracer, straight, tile, places),
+        )
+    }
+
+    #[inline(always)]
+    fn look_at_objects(
+        &self,
+        tracer: &mut Tracer,
+        straight: Straight,
+        tile: usize,
+        places: &[(f64, f64); Lanes::COUNT],
+    ) -> [Sample; Lanes::COUNT] {
         let rays = self.rays_of_four(straight, places);
         let (mut hits, kind) = ([None; Lanes::COUNT], RayKind::IMAGE);
         let within = &tracer.ahead.tiles[tile].within;

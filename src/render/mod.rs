@@ -27,9 +27,9 @@ mod textures;
 mod tiles;
 mod trace;
 
-pub use std::ops::Range;
+use std::ops::Range;
 
-use film::Image;
+pub use film::Image;
 pub use sampling::Sample;
 pub use stats::Statistics;
 
