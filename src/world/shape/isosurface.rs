@@ -115,6 +115,9 @@ const AWAY: f64 = 5.0;
 /// The share of the coordinates that bands of shorter stretches don't tell apart, as points are rounded.
 const SHORTEST: f64 = 4096.0 * f64::EPSILON;
 
+/// A value on the surface beyond this share of what it changes by within a step tells of a jump.
+const JUMP: f64 = 0.25;
+
 /// What is asked of a ray.
 #[derive(Clone, Copy)]
 struct Asked {
@@ -298,7 +301,8 @@ impl Shape for Isosurface {
         within.and(below)
     }
 
-    /// By differences with the accuracy as step, as in POV-Ray.
+    /// By differences with the accuracy as step, as in POV-Ray; where the function jumps at the surface and not within
+    /// these steps it does within those the other way.
     fn normal(&self, point: DVec3, crossing: &Crossing) -> DVec3 {
         if let Some(part) = crossing.part.checked_sub(1) {
             return self.container.shape().normal(point, &Crossing::new(crossing.t, part));
@@ -307,7 +311,12 @@ impl Shape for Isosurface {
         let step = self.accuracy;
         let places = [Lanes([x, x + step, x, x]), Lanes([y, y, y + step, y]), Lanes([z, z, z, z + step])];
         let [here, beside @ ..] = self.function.at_four(&places).map(|v| v - self.threshold).0;
-        let normal = DVec3::from_array(beside.map(|v| v - here));
+        let mut normal = DVec3::from_array(beside.map(|v| v - here));
+        if here.abs() > JUMP * normal.length() {
+            let places = [Lanes([x - step, x, x, x]), Lanes([y, y - step, y, y]), Lanes([z, z, z - step, z])];
+            let [behind @ .., _] = self.function.at_four(&places).map(|v| v - self.threshold).0;
+            normal = DVec3::from_array(std::array::from_fn(|axis| beside[axis] - behind[axis]));
+        }
         normal.try_normalize().unwrap_or(DVec3::X)
     }
 

@@ -54,6 +54,17 @@ impl Field for Shell {
     }
 }
 
+/// A stair that goes up to the right, of cylinders around the x axis.
+#[derive(Debug)]
+struct Stair;
+
+impl Field for Stair {
+    fn value(&self, sample: &Sample) -> f64 {
+        let DVec3 { x, y, z } = sample.point;
+        (3.0 * x).floor() / 3.0 + y * y + z * z - 0.5
+    }
+}
+
 fn cube(half: f64) -> Container {
     Container::Box(Cuboid { min: DVec3::splat(-half), max: DVec3::splat(half) })
 }
@@ -267,4 +278,17 @@ fn rays_that_travel_together_meet_what_each_of_them_meets() {
         }
     }
     assert!(met > 4000, "{met}");
+}
+
+#[test]
+fn a_jump_has_its_normal_from_both_of_its_sides() {
+    let stair = Isosurface { function: Arc::new(Stair), ..ball(cube(1.0)) };
+    for x in [-1.0_f64 / 3.0, 0.0, 1.0 / 3.0] {
+        for beside in [-1e-9, 1e-9] {
+            let normal = stair.normal(DVec3::new(x + beside, 0.4, 0.5), &Crossing::new(1.0, 0));
+            assert!(normal.x > 0.99, "{normal} at {x} {beside:+e}");
+        }
+    }
+    let round = stair.normal(DVec3::new(0.1, 0.0, 0.5f64.sqrt()), &Crossing::new(1.0, 0));
+    assert!((round - DVec3::Z).length() < 2e-3, "{round}");
 }
