@@ -9,6 +9,7 @@
 //! pixels are, samples are spread over it ([`adaptive`](super::adaptive)).
 
 mod cell;
+mod quarters;
 mod side;
 
 use super::adaptive::{Aim as Spread, Pixel};
@@ -17,7 +18,8 @@ use super::{Contrast, Look, Sample, all, beside, pixels};
 use crate::math::DVec2;
 use crate::math::gamma::Gamma;
 use crate::options::{Filter, Region};
-use cell::Cell;
+use cell::{Cell, across_edges};
+use quarters::quarters;
 use side::Side;
 
 /// Up to this exponent colours are taken for light, which is seen by about its square root.
@@ -25,6 +27,9 @@ const LIGHT: f32 = 1.5;
 
 /// A pixel with so many uneven quarters is finer than pixels.
 const MOST: usize = 4;
+
+/// So many pixels are cut into quarters together: enough for places to be looked at four at a time.
+const TOGETHER: usize = 16;
 
 /// When to stop.
 #[derive(Clone, Copy, Debug)]
@@ -99,33 +104,42 @@ pub(super) fn edges(
         open.push((number, 2 * plain < count));
     }
     let mut beside_fine = vec![0; pixels.kinds.len()];
-    while let Some((number, is_fine)) = open.pop() {
-        let kind = pixels.kinds[number];
-        if kind == Kind::Fine || (kind == Kind::Cut && !is_fine) {
-            continue;
+    while !open.is_empty() {
+        let mut wave = std::mem::take(&mut open);
+        wave.sort_unstable();
+        wave.dedup();
+        let (mut cut, mut spread) = (Vec::new(), Vec::new());
+        for (number, is_fine) in wave {
+            match pixels.kinds[number] {
+                Kind::Fine => {}
+                _ if is_fine => spread.push(number),
+                Kind::Cut => {}
+                _ => cut.push(number),
+            }
         }
-        let cut = if is_fine { None } else { pixels.quarters(number, look) };
-        match cut {
-            Some((color, uneven)) => {
+        for together in cut.chunks(TOGETHER) {
+            for (&number, found) in together.iter().zip(pixels.quarters(together, look)) {
+                let Some((color, uneven)) = found else {
+                    spread.push(number);
+                    continue;
+                };
                 (pixels.kinds[number], pixels.colors[number]) = (Kind::Cut, color);
                 if uneven > 0 {
-                    open.extend(
-                        pixels
-                            .around(number)
-                            .map(|next| (next, false))
-                            .filter(|&(next, _)| pixels.kinds[next] == Kind::Even),
-                    );
+                    let even = pixels.around(number).filter(|&next| pixels.kinds[next] == Kind::Even);
+                    open.extend(even.map(|next| (next, false)));
                 }
             }
-            None => {
-                let pixel = fine(&pixels, number, look);
-                (pixels.kinds[number], pixels.colors[number]) = (Kind::Fine, pixel.mean());
-                if pixel.deviation() > aim.error {
-                    for next in pixels.around(number) {
-                        beside_fine[next] += 1;
-                        if pixels.kinds[next] == Kind::Even || beside_fine[next] > 1 {
-                            open.push((next, true));
-                        }
+        }
+        spread.sort_unstable();
+        spread.dedup();
+        for number in spread {
+            let pixel = fine(&pixels, number, look);
+            (pixels.kinds[number], pixels.colors[number]) = (Kind::Fine, pixel.mean());
+            if pixel.deviation() > aim.error {
+                for next in pixels.around(number) {
+                    beside_fine[next] += 1;
+                    if pixels.kinds[next] == Kind::Even || beside_fine[next] > 1 {
+                        open.push((next, true));
                     }
                 }
             }
@@ -159,6 +173,7 @@ struct Pixels<'a> {
     middles: Vec<Sample>,
     colors: Vec<Sample>,
     kinds: Vec<Kind>,
+    sides: Sides,
 }
 
 impl<'a> Pixels<'a> {
@@ -166,7 +181,8 @@ impl<'a> Pixels<'a> {
     fn new(block: &'a Region, aim: &'a Aim, look: &mut dyn Look) -> Self {
         let corners = corners_of(block, look);
         let middles = all(look, pixels(block).map(|(x, y)| DVec2::new(x.into(), y.into())));
-        let mut pixels = Self { block, aim, corners, middles, colors: Vec::new(), kinds: Vec::new() };
+        let sides = Sides { numbers: vec![[None; 2]; corners.len()], found: Vec::new() };
+        let mut pixels = Self { block, aim, corners, middles, colors: Vec::new(), kinds: Vec::new(), sides };
         for number in 0..pixels.middles.len() {
             let color = cell::even(aim, 0, &pixels.corners_of(number), &pixels.middles[number]);
             pixels.kinds.push(if color.is_some() { Kind::Even } else { Kind::Manifold });
@@ -200,74 +216,77 @@ impl<'a> Pixels<'a> {
         [first, first + 1, first + across + 1, first + across].map(|corner| self.corners[corner])
     }
 
+    /// Where the four sides of a pixel begin, and which way they go: to the right or downwards.
+    fn sides_around(&self, number: usize) -> [(usize, usize); 4] {
+        let (corner, across) = (self.corner(number), self.width() + 1);
+        [(corner, 0), (corner + 1, 1), (corner + across, 0), (corner, 1)]
+    }
+
+    /// A side that begins at a corner, of which nothing but its ends is known.
+    fn side(&self, (begin, way): (usize, usize)) -> Side {
+        let across = self.width() + 1;
+        let (end, along) = [(begin + 1, DVec2::X), (begin + across, DVec2::Y)][way];
+        let Region { columns, rows } = self.block;
+        let place = [columns.start + (begin % across) as u32, rows.start + (begin / across) as u32];
+        let from = DVec2::from_array(place.map(f64::from)) - 0.5;
+        Side::new(self.aim, 0, (from, along), [begin, end].map(|corner| self.corners[corner]))
+    }
+
+    /// A pixel with what is known of its sides.
+    fn cell(&self, number: usize) -> Cell {
+        let [top, right, bottom, left] =
+            self.sides_around(number).map(|at| self.sides.of(at).copied().unwrap_or_else(|| self.side(at)));
+        let sides = [top, right, bottom.reversed(), left.reversed()];
+        Cell { cuts: 0, corners: self.corners_of(number), middle: self.middles[number], sides }
+    }
+
     /// Finds the colours of pixels that one edge divides in two.
     fn divide(&mut self, look: &mut dyn Look) {
-        let mut sides = Sides::new(self.width() + 1, self.corners.len());
         let uneven: Vec<usize> =
             (0..self.kinds.len()).filter(|&number| self.kinds[number] == Kind::Manifold).collect();
         for &number in &uneven {
-            sides.add(self, number);
+            for at in self.sides_around(number) {
+                if self.sides.of(at).is_none() {
+                    let side = self.side(at);
+                    self.sides.add(at, side);
+                }
+            }
         }
-        side::search(&mut sides.found, self.aim, look);
-        for number in uneven {
-            let sides = sides.of(self.corner(number));
-            let cell =
-                Cell { cuts: 0, corners: self.corners_of(number), middle: self.middles[number], sides };
-            if let Some(color) = cell.across_an_edge(self.aim, look) {
+        side::search(&mut self.sides.found, self.aim, look);
+        let cells: Vec<Cell> = uneven.iter().map(|&number| self.cell(number)).collect();
+        for (number, color) in uneven.into_iter().zip(across_edges(&cells, self.aim, look)) {
+            if let Some(color) = color {
                 (self.kinds[number], self.colors[number]) = (Kind::Divided, color);
             }
         }
     }
 
-    /// The mean colour of the quarters of a pixel, and how many of them are not even; `None` if these are too many, or it
-    /// may not be cut.
-    fn quarters(&self, number: usize, look: &mut dyn Look) -> Option<(Sample, usize)> {
-        let (x, y) = self.at(number);
-        let from = DVec2::new(x.into(), y.into()) - 0.5;
-        let cell = Cell::new(self.aim, from, self.corners_of(number), self.middles[number]);
-        if self.aim.depth > 0 { cell.quarters(MOST - 1, self.aim, look) } else { None }
+    /// The mean colours of the quarters of pixels, and how many of them are not even; `None` if these are too many, or
+    /// pixels may not be cut.
+    fn quarters(&self, numbers: &[usize], look: &mut dyn Look) -> Vec<Option<(Sample, usize)>> {
+        if self.aim.depth == 0 {
+            return vec![None; numbers.len()];
+        }
+        let cells: Vec<Cell> = numbers.iter().map(|&number| self.cell(number)).collect();
+        quarters(&cells, MOST - 1, self.aim, look)
     }
 }
 
-/// The sides between the pixels of a block that belong to one of its uneven pixels.
+/// The sides between the pixels of a block that were searched for edges, those of uneven pixels.
 struct Sides {
-    /// Corners in a row.
-    across: usize,
     /// The numbers of the sides that begin at a corner, to the right and downwards.
     numbers: Vec<[Option<usize>; 2]>,
     found: Vec<Side>,
 }
 
 impl Sides {
-    fn new(across: usize, corners: usize) -> Self {
-        Self { across, numbers: vec![[None; 2]; corners], found: Vec::new() }
+    fn add(&mut self, (begin, way): (usize, usize), side: Side) {
+        self.numbers[begin][way] = Some(self.found.len());
+        self.found.push(side);
     }
 
-    /// Where the four sides of a pixel with an upper left corner begin, and which way they go.
-    fn around(&self, corner: usize) -> [(usize, usize); 4] {
-        [(corner, 0), (corner + 1, 1), (corner + self.across, 0), (corner, 1)]
-    }
-
-    /// Adds the sides of a pixel.
-    fn add(&mut self, pixels: &Pixels<'_>, number: usize) {
-        let (x, y) = pixels.at(number);
-        let [left, top] = [x, y].map(|along| f64::from(along) - 0.5);
-        let places = [(left, top), (left + 1.0, top), (left, top + 1.0), (left, top)];
-        for ((begin, way), place) in self.around(pixels.corner(number)).into_iter().zip(places) {
-            if self.numbers[begin][way].is_none() {
-                self.numbers[begin][way] = Some(self.found.len());
-                let (end, along) = [(begin + 1, DVec2::X), (begin + self.across, DVec2::Y)][way];
-                let ends = [begin, end].map(|corner| pixels.corners[corner]);
-                self.found.push(Side::new(pixels.aim, 0, (place.into(), along), ends));
-            }
-        }
-    }
-
-    /// The sides of a pixel that were added, one after the other around it.
-    fn of(&self, corner: usize) -> [Side; 4] {
-        let [top, right, bottom, left] =
-            self.around(corner).map(|(begin, way)| self.found[self.numbers[begin][way].unwrap_or_default()]);
-        [top, right, bottom.reversed(), left.reversed()]
+    fn of(&self, (begin, way): (usize, usize)) -> Option<&Side> {
+        self.numbers[begin][way].map(|number| &self.found[number])
     }
 }
 

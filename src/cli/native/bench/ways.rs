@@ -75,7 +75,7 @@ pub(super) fn ours() -> Vec<Way> {
         Way::own("adaptive", error, Sampling::Adaptive { error, most: 1024, filter: Filter::Box })
     }));
     ways.extend(
-        [16.0_f32, 8.0, 4.0, 2.0, 1.0, 0.5]
+        [16.0_f32, 8.0, 4.0, 2.0, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18]
             .map(|error| Way::own("edges", error, Sampling::Edges { error, most: 1024 })),
     );
     let filters = [

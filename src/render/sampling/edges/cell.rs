@@ -1,7 +1,7 @@
 //! Pixels and parts of them, and what is seen of those that edges divide.
 
 use super::Aim;
-use super::side::{Jump, Side, search};
+use super::side::{Jump, Side};
 use crate::math::DVec2;
 use crate::render::sampling::even::Sum;
 use crate::render::sampling::{Look, Sample, all, mean};
@@ -46,39 +46,6 @@ struct Divided {
 }
 
 impl Cell {
-    /// A pixel from its upper left corner on, of whose sides nothing is known.
-    pub(super) fn new(aim: &Aim, from: DVec2, corners: [Sample; 4], middle: Sample) -> Self {
-        let ways = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y];
-        let mut at = from;
-        let sides = std::array::from_fn(|i| {
-            let side = Side::new(aim, 0, (at, ways[i]), [corners[i], corners[(i + 1) % 4]]);
-            at += ways[i];
-            side
-        });
-        Self { cuts: 0, corners, middle, sides }
-    }
-
-    /// The mean colour of a cell that is not even.
-    fn color(&self, aim: &Aim, look: &mut dyn Look) -> Sample {
-        if let Some(color) = self.across_an_edge(aim, look) {
-            return color;
-        }
-        if self.cuts >= aim.depth {
-            return mean([mean(self.corners), self.middle]);
-        }
-        self.quarters(4, aim, look).map_or(self.middle, |(color, _)| color)
-    }
-
-    /// The mean colour, if one edge divides the cell in two.
-    pub(super) fn across_an_edge(&self, aim: &Aim, look: &mut dyn Look) -> Option<Sample> {
-        let divided = self.divided(aim).filter(|divided| self.is_straight(divided, aim, look))?;
-        let ([first, last], share) = (divided.colors, divided.share as f32);
-        if share <= 0.0 || share >= 1.0 {
-            return Some(if share > 0.0 { first } else { last });
-        }
-        Some(std::array::from_fn(|i| share * first[i] + (1.0 - share) * last[i]))
-    }
-
     /// The edge that divides the cell in two, if the samples at its corners, sides and middle tell of nothing else.
     fn divided(&self, aim: &Aim) -> Option<Divided> {
         let mut jumps = self.sides.iter().enumerate().filter_map(|(i, side)| Some((i, side.jump()?)));
@@ -89,8 +56,14 @@ impl Cell {
         let gap_of = |jump: &Jump| aim.apart(&jump.colors[0], &jump.colors[1]);
         let gap = gap_of(&leaves).max(gap_of(&enters));
         let alike = (ALIKE * gap).max(aim.error(self.cuts));
-        let continues =
-            |(k, side): (usize, &Side)| k == i || k == j || aim.apart(&side.ends[0], &side.ends[1]) <= alike;
+        let are_alike = |a: &Sample, b: &Sample| aim.apart(a, b) <= alike;
+        let continues = |(k, side): (usize, &Side)| {
+            let [from, to] = &side.ends;
+            match [(i, &leaves), (j, &enters)].into_iter().find(|(jumps, _)| *jumps == k) {
+                Some((_, jump)) => are_alike(from, &jump.colors[0]) && are_alike(to, &jump.colors[1]),
+                None => are_alike(from, to),
+            }
+        };
         if !self.sides.iter().enumerate().all(continues) {
             return None;
         }
@@ -128,12 +101,13 @@ impl Cell {
     }
 
     /// The middle's place.
-    fn heart(&self) -> DVec2 {
+    pub(super) fn heart(&self) -> DVec2 {
         0.5 * (self.sides[0].from() + self.sides[2].from())
     }
 
-    /// Whether an edge bends so little that its chord serves, as two samples beside the chord's middle show.
-    fn is_straight(&self, divided: &Divided, aim: &Aim, look: &mut dyn Look) -> bool {
+    /// Two places beside the middle of an edge's chord that tell whether it bends so little that the chord serves; `None`
+    /// if it does in any case.
+    fn beside(&self, divided: &Divided, aim: &Aim) -> Option<[DVec2; 2]> {
         let [from, to] = divided.ends;
         let chord = to - from;
         let length = chord.length();
@@ -141,59 +115,46 @@ impl Cell {
         // What an arc of height h cuts off beside its chord is two thirds of h times the chord.
         let error = f64::from(aim.error(self.cuts) / divided.gap);
         let beside = (1.5 * error * size * size / length).max(divided.doubt);
-        if beside >= f64::from(ALIKE) * size {
-            return true;
-        }
         let across = chord.perp() * (beside / length);
         let middle = 0.5 * (from + to);
-        let seen = all(look, [middle - across, middle + across].into_iter());
-        let [first, last] = divided.colors;
-        let like =
-            |seen: &Sample, this: &Sample, other: &Sample| aim.apart(seen, this) < aim.apart(seen, other);
-        like(&seen[0], &first, &last) && like(&seen[1], &last, &first)
+        (beside < f64::from(ALIKE) * size).then_some([middle - across, middle + across])
+    }
+}
+
+impl Divided {
+    /// Whether what is seen at both places beside its chord is what its colours say.
+    fn is_straight(&self, seen: [Sample; 2], aim: &Aim) -> bool {
+        let [first, last] = self.colors;
+        let [to_first, to_last] = [first, last].map(|color| seen.map(|seen| aim.apart(&seen, &color)));
+        to_first[0] < to_last[0] && to_last[1] < to_first[1]
     }
 
-    /// The mean of the four quarters and how many of them are not even, if these are at most so `many`.
-    pub(super) fn quarters(&self, many: usize, aim: &Aim, look: &mut dyn Look) -> Option<(Sample, usize)> {
-        let heart = self.heart();
-        let missing = self.sides.iter().filter(|side| side.middle.is_none()).map(Side::halfway);
-        let hearts = self.sides.iter().map(|side| 0.5 * (side.from() + heart));
-        let seen = all(look, hearts.chain(missing).collect::<Vec<_>>().into_iter());
-        let (hearts, mut missing) = (&seen[..4], seen[4..].iter());
-        let middles =
-            self.sides.map(|side| side.middle.or_else(|| missing.next().copied()).unwrap_or(self.middle));
-        // Halves of the sides, one after the other around the cell, and the sides from their middles inwards.
-        let cuts = self.cuts + 1;
-        let mut sides: Vec<Side> = Vec::with_capacity(12);
-        for (side, middle) in self.sides.iter().zip(middles) {
-            sides.extend(side.halves(aim, middle));
+    /// The mean colour.
+    fn color(&self) -> Sample {
+        let ([first, last], share) = (self.colors, self.share as f32);
+        if share <= 0.0 || share >= 1.0 {
+            return if share > 0.0 { first } else { last };
         }
-        for (side, middle) in self.sides.iter().zip(middles) {
-            let from = side.halfway();
-            sides.push(Side::new(aim, cuts, (from, heart - from), [middle, self.middle]));
-        }
-        let corners = |i: usize| [self.corners[i], middles[i], self.middle, middles[(i + 3) % 4]];
-        let sides_of = |i: usize| [2 * i, 8 + i, 8 + (i + 3) % 4, 2 * ((i + 3) % 4) + 1];
-        let evens: [_; 4] = std::array::from_fn(|i| even(aim, cuts, &corners(i), &hearts[i]));
-        let uneven = evens.iter().filter(|even| even.is_none()).count();
-        if uneven > many {
-            return None;
-        }
-        let mut wanted: Vec<usize> = (0..4).filter(|&i| evens[i].is_none()).flat_map(sides_of).collect();
-        wanted.sort_unstable();
-        wanted.dedup();
-        let mut searched: Vec<Side> = wanted.iter().map(|&number| sides[number]).collect();
-        search(&mut searched, aim, look);
-        for (number, side) in wanted.into_iter().zip(searched) {
-            sides[number] = side;
-        }
-        let quarter = |i: usize| {
-            evens[i].unwrap_or_else(|| {
-                let [outward, inward, back, home] = sides_of(i).map(|number| sides[number]);
-                let sides = [outward, inward, back.reversed(), home];
-                Self { cuts, corners: corners(i), middle: hearts[i], sides }.color(aim, look)
-            })
-        };
-        Some((mean([0, 1, 2, 3].map(quarter)), uneven))
+        std::array::from_fn(|i| share * first[i] + (1.0 - share) * last[i])
     }
+}
+
+/// The mean colours of those of some cells that one edge divides in two.
+pub(super) fn across_edges(cells: &[Cell], aim: &Aim, look: &mut dyn Look) -> Vec<Option<Sample>> {
+    let divided: Vec<_> = cells
+        .iter()
+        .map(|cell| cell.divided(aim).map(|divided| (cell.beside(&divided, aim), divided)))
+        .collect();
+    let places: Vec<DVec2> = divided.iter().flatten().filter_map(|(beside, _)| *beside).flatten().collect();
+    let seen = all(look, places.into_iter());
+    let mut seen = seen.chunks_exact(2);
+    let colors = divided.into_iter().map(|divided| {
+        let (beside, divided) = divided?;
+        let is_straight = match beside.and_then(|_| seen.next()) {
+            Some(&[one, other]) => divided.is_straight([one, other], aim),
+            _ => true,
+        };
+        is_straight.then(|| divided.color())
+    });
+    colors.collect()
 }

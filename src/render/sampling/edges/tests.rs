@@ -79,3 +79,17 @@ fn over_what_is_finer_than_pixels_samples_are_spread() {
     assert!(mean < 0.06, "{mean}");
     assert!(asked < 16 * 16 * 96, "{asked}");
 }
+
+#[test]
+fn a_strip_between_two_colours_is_not_taken_for_one_of_them() {
+    let strip = |x: f64, y: f64| {
+        let across = x - 7.7 - 0.04 * y;
+        match () {
+            () if across < 0.0 => 0.6,
+            () if across < 0.1 => 0.1,
+            () => 0.4,
+        }
+    };
+    let (pixels, _) = reds(1.0, strip);
+    assert!(worst(&pixels, strip) < 0.01, "{}", worst(&pixels, strip));
+}
