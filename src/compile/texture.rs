@@ -38,7 +38,7 @@ pub struct TextureCompiler<'a> {
     pub(super) last_digits: bool,
     waves: Option<Arc<[WaveSource]>>,
     bodies: Cache<scene::texture::TextureBody, TextureBody>,
-    finishes: Cache<scene::Finish, world::texture::Finish>,
+    pub(super) finishes: Cache<scene::Finish, world::texture::Finish>,
     pub(super) pigments: Cache<scene::Pigment, Pigment>,
     pub(super) normals: Cache<scene::Normal, world::texture::Normal>,
     pub(super) functions: Cache<scene::Function, world::Function>,

@@ -188,7 +188,7 @@ impl Eye<'_> {
         let rays = self.rays_of_four(straight, places);
         let (mut hits, kind) = ([None; Lanes::COUNT], RayKind::IMAGE);
         let within = &tracer.ahead.tiles[tile].within;
-        self.world.geometry.hits(within, &rays, Lanes::COUNT, kind, 0.0, &mut hits);
+        self.world.geometry.hits(within, &rays, (1 << Lanes::COUNT) - 1, kind, 0.0, &mut hits);
         let inside = self.inside.clone().unwrap_or_default();
         let mut path = Path { ray: rays.ray(0), level: 0, weight: 1.0, kind, wavelength: None, inside };
         let mut samples = [Sample::default(); Lanes::COUNT];
@@ -256,18 +256,19 @@ impl Eye<'_> {
             *random = Random::of_sample(x, y, self.options.seed);
         }
         let (apart, met) = ([rays.ray(0); Lanes::COUNT], [None; Lanes::COUNT]);
-        let mut bundle = Bundle { rays: apart, hits: met, randoms: Some(&randoms) };
+        let mut bundle =
+            Bundle { rays: apart, weights: [path.weight; Lanes::COUNT], hits: met, randoms: Some(&randoms) };
         for (lane, hit) in hits.iter().enumerate() {
             bundle.hits[lane] = hit.as_ref();
             bundle.rays[lane] = rays.ray(lane);
         }
-        tracer.trace_bundle::<_, true>(
+        tracer.trace_bundle::<true>(
             path,
             &bundle,
             room,
-            hits.len(),
+            (1 << hits.len()) - 1,
             #[inline(always)]
-            |seen| show(seen.sample()),
+            |_, seen| show(seen.sample()),
         );
     }
 }

@@ -23,15 +23,21 @@ impl<'w> Tracer<'w> {
         Some((&layer.finish, layer.paint.even()?))
     }
 
-    /// Shades the surface that a ray met, if it is that simple.
-    pub(super) fn clear(&mut self, path: &Path, hit: &Hit) -> Option<Shaded> {
-        let world = self.world;
-        let leaf = world.geometry.parts().leaf(hit.leaf);
+    /// The same of a leaf that light may go through.
+    #[inline]
+    pub(super) fn clear_layer(&self, leaf: &Leaf) -> Option<(&'w Finish, Rgbft)> {
         // What is never seen at all has a way of its own.
         if !self.clear || leaf.flags.intersects(LeafFlags::OPAQUE | LeafFlags::INVISIBLE) {
             return None;
         }
-        let (finish, color) = self.even_layer(leaf)?;
+        self.even_layer(leaf)
+    }
+
+    /// Shades the surface that a ray met, if it is that simple.
+    pub(super) fn clear(&mut self, path: &Path, hit: &Hit) -> Option<Shaded> {
+        let world = self.world;
+        let leaf = world.geometry.parts().leaf(hit.leaf);
+        let (finish, color) = self.clear_layer(leaf)?;
         self.statistics.texture_evaluations += 1;
         let surface = &world.geometry.surface(&path.ray, hit);
         let (normal, direction) = (&surface.normal, path.ray.direction);
@@ -108,7 +114,7 @@ impl<'w> Tracer<'w> {
             let mut room = Numbers::new();
             for &number in self.lamps_near(leaf, surface.point, &mut room) {
                 let incident = world.lights[number as usize].reaching(surface.point);
-                direct += self.plain_light(&at, leaf, &lit, number, &incident);
+                direct += self.plain_light(&at, leaf, &lit, (number, false), &incident);
             }
         }
         color.rgb * own * opacity + direct

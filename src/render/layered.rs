@@ -5,7 +5,7 @@ use super::plain::Bundle;
 use super::textures;
 use super::trace::Tracer;
 use crate::math::color::FourColors;
-use crate::math::{Lanes, Rgb, Rgbft};
+use crate::math::{Lanes, Rgbft};
 use crate::world::Intersection;
 use crate::world::object::LeafFlags;
 use crate::world::sample::Samples;
@@ -45,9 +45,9 @@ pub(super) struct Foreseen {
 }
 
 impl Tracer<'_> {
-    /// Looks at the surfaces of a texture that more than one ray of a bundle meets, but for those that are `seen` already,
+    /// Looks at the surfaces of a texture that more than one ray of a bundle meets, of those whose bits are `open`,
     /// and keeps them until [`Self::forget`].
-    pub(super) fn look_at_layers<const N: usize>(&mut self, bundle: &Bundle<N>, seen: &[Option<Rgb>; N]) {
+    pub(super) fn look_at_layers<const N: usize>(&mut self, bundle: &Bundle<N>, open: u32) {
         if self.layered.len() == self.bundles {
             self.layered.push(Layered::NOTHING);
         }
@@ -55,7 +55,7 @@ impl Tracer<'_> {
         let mut lists = std::mem::take(&mut self.layered);
         let list = &mut lists[self.bundles];
         list.places = [None; Lanes::COUNT];
-        self.fill(list, bundle, seen);
+        self.fill(list, bundle, open);
         self.layered = lists;
         self.bundles += 1;
     }
@@ -89,12 +89,12 @@ impl Tracer<'_> {
     }
 
     #[inline(never)]
-    fn fill<const N: usize>(&self, list: &mut Layered, bundle: &Bundle<N>, seen: &[Option<Rgb>; N]) {
+    fn fill<const N: usize>(&self, list: &mut Layered, bundle: &Bundle<N>, open: u32) {
         let world = self.world;
         // Where there are fewer than four, the first stands for the others.
         let (mut texture, mut lanes, mut count) = (None, [0; Lanes::COUNT], 0);
-        for (lane, (seen, hit)) in seen.iter().zip(&bundle.hits).enumerate() {
-            let (None, Some(hit)) = (seen, hit) else { continue };
+        for (lane, hit) in bundle.hits.iter().enumerate() {
+            let Some(hit) = hit.filter(|_| open >> lane & 1 == 1) else { continue };
             let leaf = world.geometry.parts().leaf(hit.leaf);
             let whole = leaf.texture.get().filter(|_| !leaf.flags.contains(LeafFlags::SEVERAL));
             if whole.is_none() || (texture.is_some() && whole != texture) || count == Lanes::COUNT {

@@ -138,7 +138,7 @@ impl Eye<'_> {
                     *place = shifted(index);
                 }
                 let rays = self.four_rays(blur, perspective, &places, first);
-                self.world.geometry.hits(&within, &rays, count, kind, 0.0, &mut hits);
+                self.world.geometry.hits(&within, &rays, (1 << count) - 1, kind, 0.0, &mut hits);
                 self.four_seen(
                     tracer,
                     (&mut path, &mut room),

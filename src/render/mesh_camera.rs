@@ -55,7 +55,8 @@ impl Eye<'_> {
                 let mut four = [some[0]; Lanes::COUNT];
                 four[..some.len()].copy_from_slice(some);
                 let four = Rays::of(&four);
-                self.world.geometry.hits(&within, &four, some.len(), path.kind, 0.0, &mut hits);
+                let asked = (1 << some.len()) - 1;
+                self.world.geometry.hits(&within, &four, asked, path.kind, 0.0, &mut hits);
                 let (path, hits) = ((&mut path, &mut room), &hits[..some.len()]);
                 self.four_seen(tracer, path, &four, &[place; Lanes::COUNT], hits, &mut *show);
             }

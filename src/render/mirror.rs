@@ -1,7 +1,7 @@
 //! Reflection: how much, and where to (docs/spec/shading.md 14).
 
 use super::finish::metallic;
-use crate::math::{DVec3, Rgb, unit};
+use crate::math::{DVec3, Lanes, Rgb, unit};
 use crate::world::texture::Reflection;
 
 /// Share of light reflected, and the share that counts against `adc_bailout`.
@@ -19,13 +19,23 @@ pub(super) struct Reflectivity {
 /// the other side over this side's; `color` the pigment's.
 #[inline]
 pub(super) fn reflectivity(reflection: &Reflection, cosine: f64, index: f64, color: Rgb) -> Reflectivity {
+    of_share(reflection, cosine, share(reflection, cosine, index), color)
+}
+
+/// How far reflectivity is from its least to its greatest.
+#[inline]
+pub(super) fn share(reflection: &Reflection, cosine: f64, index: f64) -> f32 {
+    if reflection.fresnel {
+        return fresnel(index, cosine) as f32;
+    }
+    let share = (1.0 - cosine).max(0.0);
+    (if reflection.falloff == 1.0 { share } else { share.powf(f64::from(reflection.falloff)) }) as f32
+}
+
+/// The reflectivity so far from its least to its greatest.
+#[inline]
+pub(super) fn of_share(reflection: &Reflection, cosine: f64, share: f32, color: Rgb) -> Reflectivity {
     let Reflection { min, max, .. } = *reflection;
-    let share = if reflection.fresnel {
-        fresnel(index, cosine) as f32
-    } else {
-        let share = (1.0 - cosine).max(0.0);
-        (if reflection.falloff == 1.0 { share } else { share.powf(f64::from(reflection.falloff)) }) as f32
-    };
     let plain = max * share + min * (1.0 - share);
     let weight =
         if reflection.fresnel { plain.max_element() } else { min.max_element().max(max.max_element()) };
@@ -50,6 +60,33 @@ fn fresnel(index: f64, cosine: f64) -> f64 {
     (0.5 * ratio * ratio * (1.0 + parallel * parallel)).clamp(0.0, 1.0)
 }
 
+/// [`fresnel`] of four cosines.
+#[inline(always)]
+pub(super) fn fresnel_of_four(index: f64, cosine: Lanes) -> Lanes {
+    let square = cosine * cosine + index * index - 1.0;
+    let g = square.sqrt();
+    let (sum, difference) = (g + cosine, g - cosine);
+    let ratio = difference / sum;
+    let parallel = (cosine * sum - 1.0) / (cosine * difference + 1.0);
+    let share = ratio * 0.5 * ratio * (parallel * parallel + 1.0);
+    share.zip(square, |share, square| if square <= 0.0 { 1.0 } else { share.clamp(0.0, 1.0) })
+}
+
+/// [`mirrored`] of four directions at surfaces without bumps that face them.
+#[inline(always)]
+pub(super) fn mirrored_of_four(direction: &[Lanes; 3], normal: &[Lanes; 3]) -> [Lanes; 3] {
+    let twice = Lanes::dot(direction, normal) * 2.0;
+    let mut reflected = *direction;
+    for axis in 0..3 {
+        reflected[axis] = reflected[axis] - twice * normal[axis];
+    }
+    let inverse = Lanes::splat(1.0) / Lanes::dot(&reflected, &reflected).sqrt();
+    for along in &mut reflected {
+        *along = *along * inverse;
+    }
+    reflected
+}
+
 /// The unit direction in which a surface with the bent normal `normal` mirrors `direction`.
 ///
 /// `raw` is the unbent normal, facing the ray: no reflection goes into the surface.
@@ -69,6 +106,7 @@ pub(super) fn mirrored(direction: DVec3, normal: DVec3, raw: DVec3) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::dice::numbers;
 
     /// Rows of docs/spec/shading.md 14: a 45 degree mirror under a sky `rgb <.2,.6,.9>`.
     #[test]
@@ -96,6 +134,34 @@ mod tests {
             let share = reflectivity(&reflection, cosine, 1.5, tinted).color;
             let ours = share * Rgb::new(0.2, 0.6, 0.9);
             assert!(ours.abs_diff_eq(Rgb::from_array(observed), 3e-5), "{reflection:?}: {ours}");
+        }
+    }
+
+    #[test]
+    fn four_rays_are_mirrored_as_each_alone() {
+        let mut number = numbers(7);
+        for turn in 0..1000 {
+            let mut vector = || DVec3::new(number(), number(), number()).normalize();
+            let directions = [vector(), vector(), vector(), vector()];
+            let mut normals = [vector(), vector(), vector(), vector()];
+            let (mut many, mut facing) = ([[Lanes::ZERO; 3]; 2], Lanes::ZERO);
+            for lane in 0..Lanes::COUNT {
+                if normals[lane].dot(directions[lane]) > 0.0 {
+                    normals[lane] = -normals[lane];
+                }
+                facing.0[lane] = -directions[lane].dot(normals[lane]);
+                for axis in 0..3 {
+                    many[0][axis].0[lane] = directions[lane][axis];
+                    many[1][axis].0[lane] = normals[lane][axis];
+                }
+            }
+            let index = if turn % 2 == 0 { 1.5 } else { 1.0 / 1.5 };
+            let (back, share) = (mirrored_of_four(&many[0], &many[1]), fresnel_of_four(index, facing));
+            for lane in 0..Lanes::COUNT {
+                let alone = mirrored(directions[lane], normals[lane], normals[lane]);
+                assert_eq!(Lanes::point(&back, lane), alone);
+                assert_eq!(share.0[lane], fresnel(index, facing.0[lane]));
+            }
         }
     }
 

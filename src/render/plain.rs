@@ -3,16 +3,14 @@
 //!
 //! Rays that travel together take each step together: while one waits for a square root others go on.
 
-use super::finish::Surface;
+use super::lamps::Lit;
 use super::random::Random;
-use super::shadow::Target;
 use super::textures;
 use super::trace::{Path, Tracer};
 use crate::math::color::FourColors;
 use crate::math::{Lanes, Rgb, Rgbft};
 use crate::world::hit::Hit;
-use crate::world::light::set::Numbers;
-use crate::world::light::{Incident, is_dark};
+use crate::world::light::Incident;
 use crate::world::object::{Leaf, LeafFlags};
 use crate::world::sample::{Sample, Samples};
 use crate::world::texture::{Finish, Layer, Paint, Pigment};
@@ -23,6 +21,8 @@ use crate::world::{Intersection, Ray};
 #[derive(Debug)]
 pub(super) struct Bundle<'a, const N: usize> {
     pub(super) rays: [Ray; N],
+    /// The most that each can add to its pixel.
+    pub(super) weights: [f32; N],
     /// `None` for those that are of no interest.
     pub(super) hits: [Option<&'a Hit>; N],
     /// Where the random numbers of each start; `None` goes on with those at hand.
@@ -32,8 +32,8 @@ pub(super) struct Bundle<'a, const N: usize> {
 /// Room for the surfaces that a bundle meets, and for what a lamp sends there: kept, for clearing it takes time.
 #[derive(Debug)]
 pub(super) struct Room<const N: usize> {
-    surfaces: [Intersection; N],
-    incidents: [Incident; N],
+    pub(super) surfaces: [Intersection; N],
+    pub(super) incidents: [Incident; N],
 }
 
 impl<const N: usize> Room<N> {
@@ -46,8 +46,6 @@ impl<const N: usize> Room<N> {
 pub(super) struct Plain<'w> {
     pub(super) finish: &'w Finish,
     pub(super) color: Rgb,
-    /// Whether it answers light.
-    lit: bool,
     /// The pattern that has yet to say the colour.
     unpainted: Option<Patterned<'w>>,
 }
@@ -133,9 +131,7 @@ impl<'w> Tracer<'w> {
             return None;
         }
         self.statistics.texture_evaluations += 1;
-        let scatters = finish.diffuse > 0.0 || finish.diffuse_back > 0.0;
-        let lit = scatters || finish.specular > 0.0 || finish.phong > 0.0;
-        Some(Plain { finish, color: color.rgb, lit, unpainted })
+        Some(Plain { finish, color: color.rgb, unpainted })
     }
 
     /// Finds the colours of the patterns that rays meet, side by side where several meet the same.
@@ -193,45 +189,28 @@ impl<'w> Tracer<'w> {
         &mut self,
         path: &mut Path,
         bundle: &Bundle<N>,
-        Room { surfaces, incidents }: &mut Room<N>,
+        room: &mut Room<N>,
     ) -> [Option<Rgb>; N] {
         let world = self.world;
         let mut met = [const { None }; N];
-        let mut rooms = [const { Numbers::new() }; N];
-        let mut lamps = [&[][..]; N];
-        let (mut most, mut unpainted) = (0, false);
-        for (lane, room) in rooms.iter_mut().enumerate() {
+        let mut unpainted = false;
+        for (lane, met) in met.iter_mut().enumerate() {
             let Some(hit) = bundle.hits[lane] else { continue };
             let leaf = world.geometry.parts().leaf(hit.leaf);
-            met[lane] = self.simple(leaf, &bundle.rays[lane], hit, &mut surfaces[lane], N > 1);
-            let Some(plain) = &met[lane] else { continue };
-            unpainted |= plain.unpainted.is_some();
-            if plain.lit {
-                lamps[lane] = self.lamps_near(leaf, surfaces[lane].point, room);
-                most = most.max(lamps[lane].len());
-            }
+            *met = self.simple(leaf, &bundle.rays[lane], hit, &mut room.surfaces[lane], N > 1);
+            unpainted |= met.as_ref().is_some_and(|plain| plain.unpainted.is_some());
         }
         if unpainted {
-            self.paint(bundle, surfaces, &mut met);
+            self.paint(bundle, &room.surfaces, &mut met);
         }
-        let mut direct = [Rgb::ZERO; N];
-        for index in 0..most {
-            for lane in 0..N {
-                if let Some(&number) = lamps[lane].get(index) {
-                    incidents[lane] = world.lights[number as usize].reaching(surfaces[lane].point);
-                }
-            }
-            for lane in 0..N {
-                let (Some(plain), Some(hit)) = (&met[lane], bundle.hits[lane]) else { continue };
-                let Some(&number) = lamps[lane].get(index) else { continue };
-                let leaf = world.geometry.parts().leaf(hit.leaf);
-                let (surface, direction) = (&surfaces[lane], &bundle.rays[lane].direction);
-                let (finish, color) = (plain.finish, plain.color);
-                let lit = Surface { finish, color, opacity: 1.0, normal: &surface.normal, direction };
-                let at = Target { surface, hit: Some(hit), inside: &path.inside, among: None };
-                direct[lane] += self.plain_light(&at, leaf, &lit, number, &incidents[lane]);
-            }
+        let mut answering = [None; N];
+        for lane in 0..N {
+            let Some(Plain { finish, color, .. }) = &met[lane] else { continue };
+            let lit = Lit { finish, color: *color, opacity: 1.0 };
+            answering[lane] = Some(lit).filter(|lit| lit.is_lit());
         }
+        let direct = self.lit_by_lamps::<N, EYE>(&path.inside, bundle, &answering, room);
+        let surfaces = &room.surfaces;
         let mirrors =
             |plain: &Option<Plain>| plain.as_ref().is_some_and(|plain| plain.finish.reflection.is_some());
         let mut mirrored = [None; N];
@@ -248,43 +227,12 @@ impl<'w> Tracer<'w> {
             if let Some(mirrored) = mirrored[lane] {
                 sum += mirrored;
             } else if finish.reflection.is_some() {
-                path.ray = bundle.rays[lane];
+                (path.ray, path.weight) = (bundle.rays[lane], bundle.weights[lane]);
                 self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
                 sum += self.mirrored_by(path, hit, &surfaces[lane], finish, *color);
             }
             seen[lane] = Some(sum);
         }
         seen
-    }
-
-    /// The light that a lamp makes a layer send to the eye.
-    #[inline(always)]
-    pub(super) fn plain_light(
-        &mut self,
-        at: &Target,
-        leaf: &Leaf,
-        lit: &Surface,
-        number: u32,
-        incident: &Incident,
-    ) -> Rgb {
-        let light = &self.world.lights[number as usize];
-        if incident.is_dark() {
-            self.statistics.lights_dark += 1;
-            return Rgb::ZERO;
-        }
-        let facing = lit.faces(leaf, &incident.direction);
-        if !facing && lit.finish.diffuse_back <= 0.0 {
-            self.statistics.lights_behind += 1;
-            return Rgb::ZERO;
-        }
-        if !lit.answers(&incident.direction, !facing) {
-            self.statistics.lights_unseen += 1;
-            return Rgb::ZERO;
-        }
-        let color = self.arriving(at, number, incident);
-        if is_dark(color) {
-            return Rgb::ZERO;
-        }
-        self.answer(lit, &incident.direction, color, !facing, light.shadowless)
     }
 }

@@ -122,7 +122,7 @@ impl Tracer<'_> {
             weight: 0.0,
             come: 0.0,
         };
-        self.gather(&mut mirrored, path, bundle, met, surfaces);
+        self.gather(&mut mirrored, bundle, met, surfaces);
         let Mirrored { count, lanes, shares, rays, randoms, weight, come } = &mut mirrored;
         if *count < 2 || path.level >= self.world.settings.max_trace_level {
             return;
@@ -135,25 +135,25 @@ impl Tracer<'_> {
         }
         missing.fill(known[0]);
         let mut hits = [None; Lanes::COUNT];
-        geometry.hits(within, &Rays::of(rays), *count, RayKind::REFLECTION, *come, &mut hits);
+        let asked = (1 << *count) - 1;
+        geometry.hits(within, &Rays::of(rays), asked, RayKind::REFLECTION, *come, &mut hits);
         self.statistics.reflected_rays += *count as u64;
         let (level, weight, wavelength) = (path.level, *weight, path.wavelength);
         let (kind, inside) = (RayKind::REFLECTION, path.inside.clone());
         let mut path = Path { ray: rays[0], level, weight, kind, wavelength, inside };
         let hits = [hits[0].as_ref(), hits[1].as_ref(), hits[2].as_ref(), hits[3].as_ref()];
-        let bundle = Bundle { rays: *rays, hits, randoms: Some(randoms) };
-        let (mut lane, mut room) = (0, Room::NEW);
-        self.trace_bundle::<_, false>(
+        let bundle = Bundle { rays: *rays, weights: [weight; Lanes::COUNT], hits, randoms: Some(randoms) };
+        let mut room = Room::NEW;
+        self.trace_bundle::<false>(
             &mut path,
             &bundle,
             &mut room,
-            *count,
+            asked,
             #[inline(always)]
-            |found| {
+            |lane, found| {
                 let (share, power) = shares[lane];
                 let color = if power == 1.0 { found.color } else { found.color.powf(power) };
                 seen[lanes[lane]] = Some(share * color);
-                lane += 1;
             },
         );
     }
@@ -163,7 +163,6 @@ impl Tracer<'_> {
     fn gather<const N: usize>(
         &self,
         mirrored: &mut Mirrored,
-        path: &Path,
         bundle: &Bundle<N>,
         met: &[Option<Plain>; N],
         surfaces: &[Intersection; N],
@@ -176,7 +175,7 @@ impl Tracer<'_> {
             let (surface, direction) = (&surfaces[lane], bundle.rays[lane].direction);
             let Intersection { point, normal, geometric, .. } = *surface;
             let share = mirror::reflectivity(reflection, -direction.dot(normal), 1.0, plain.color);
-            let weight = path.weight * share.weight;
+            let weight = bundle.weights[lane] * share.weight;
             let (origin, facing, same) = *first.get_or_insert((point, normal, weight));
             let apart = (origin - point).dot(normal).abs();
             let flat = normal == geometric && normal == facing && apart <= FLAT * point.abs().max_element();

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use smallvec::SmallVec;
 
-use crate::math::DVec3;
+use crate::math::{DVec3, Lanes};
 use crate::world::Interior;
 use crate::world::interior::AIR;
 
@@ -148,9 +148,28 @@ pub(super) fn refracted(direction: DVec3, normal: DVec3, ratio: f64) -> Option<D
     (square >= 0.0).then(|| ratio * direction + (ratio * cosine - square.sqrt()) * facing)
 }
 
+/// The same for four rays on the sides that their normals face, and the bits of those that aren't totally reflected; the
+/// directions of the others are no numbers.
+#[inline(always)]
+pub(super) fn refracted_of_four(
+    direction: &[Lanes; 3],
+    normal: &[Lanes; 3],
+    ratio: f64,
+) -> ([Lanes; 3], u32) {
+    let cosine = -Lanes::dot(normal, direction);
+    let square = (cosine * cosine - 1.0) * (ratio * ratio) + 1.0;
+    let along = cosine * ratio - square.sqrt();
+    let mut bent = *direction;
+    for axis in 0..3 {
+        bent[axis] = bent[axis] * ratio + along * normal[axis];
+    }
+    (bent, square.bits(|square| square >= 0.0))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::dice::numbers;
 
     fn glass(ior: f64) -> Interior {
         Interior { ior, ..Interior::default() }
@@ -165,6 +184,32 @@ mod tests {
         let leaving = refracted(DVec3::Z, DVec3::new(-1.0, 0.0, 1.0).normalize(), 1.2).unwrap();
         assert!(leaving.abs_diff_eq(DVec3::new(0.2258, 0.0, 0.9742), 1e-4));
         assert_eq!(refracted(DVec3::Z, out, 1.5), None);
+    }
+
+    #[test]
+    fn four_rays_are_bent_as_each_alone() {
+        let mut number = numbers(3);
+        for turn in 0..1000 {
+            let mut vector = || DVec3::new(number(), number(), number()).normalize();
+            let directions = [vector(), vector(), vector(), vector()];
+            let mut normals = [vector(), vector(), vector(), vector()];
+            let mut many = [[Lanes::ZERO; 3]; 2];
+            for lane in 0..Lanes::COUNT {
+                if normals[lane].dot(directions[lane]) > 0.0 {
+                    normals[lane] = -normals[lane];
+                }
+                for axis in 0..3 {
+                    many[0][axis].0[lane] = directions[lane][axis];
+                    many[1][axis].0[lane] = normals[lane][axis];
+                }
+            }
+            let ratio = if turn % 2 == 0 { 1.5 } else { 1.0 / 1.5 };
+            let (bent, bends) = refracted_of_four(&many[0], &many[1], ratio);
+            for lane in 0..Lanes::COUNT {
+                let together = (bends >> lane & 1 == 1).then(|| Lanes::point(&bent, lane));
+                assert_eq!(together, refracted(directions[lane], normals[lane], ratio));
+            }
+        }
     }
 
     #[test]

@@ -13,7 +13,7 @@ use super::sampling::Sample;
 use super::shade::Mirror;
 use super::shadow::{Places, Shafts};
 use super::stats::Statistics;
-use crate::math::{DVec3, Rgb};
+use crate::math::{DVec3, Lanes, Rgb};
 use crate::world::accel::Within;
 use crate::world::atmosphere::{Alpha, Sky};
 use crate::world::hit::Hit;
@@ -116,6 +116,9 @@ pub(super) struct Tracer<'w> {
     /// Whether no ray of the camera takes random numbers before it is bent or mirrored: there is nothing in the air, and
     /// no lamp is a grid. Nor is any ray of the camera left out.
     pub(super) calm: bool,
+    /// Whether rays may go on together through what is [`clear`](Self::clear): none takes random numbers at all, and there
+    /// are so few objects that four rays ask for all of them at once.
+    pub(super) glassy: bool,
     /// What other rays see of a sky of one colour, and rays from the camera.
     even_sky: Option<[Seen; 2]>,
 }
@@ -130,10 +133,12 @@ impl<'w> Tracer<'w> {
         let airy = !world.atmosphere.is_clear() || world.needs.media;
         let calm = !airy && world.lights.iter().all(|light| light.area.is_none());
         let version = world.settings.version;
+        let clear = plain && world.interiors.iter().all(|interior| interior.dispersion == 1.0);
         let sky = |eye| Seen::of(world.atmosphere.sky(DVec3::Y, alpha, eye, version));
         Self {
             plain,
-            clear: plain && world.interiors.iter().all(|interior| interior.dispersion == 1.0),
+            clear,
+            glassy: clear && calm && !world.needs.grain && world.geometry.is_little(),
             calm: calm && world.settings.max_trace_level > 0 && bailout <= 1.0,
             even_sky: world.atmosphere.is_even().then(|| [false, true].map(sky)),
             world,
@@ -184,38 +189,50 @@ impl<'w> Tracer<'w> {
         if self.allowed(path) { self.follow(path, hit) } else { Seen::NOTHING }
     }
 
-    /// The same for the first `count` rays of a bundle, where the air is [`calm`](Self::calm); whether they come from the
-    /// `EYE` as far as they are known.
+    /// The same for those rays of a bundle whose bits are `asked`, where the air is [`calm`](Self::calm); whether they come
+    /// from the `EYE` as far as they are known. Each is shown with its lane.
     #[inline(always)]
-    pub(super) fn trace_bundle<const N: usize, const EYE: bool>(
+    pub(super) fn trace_bundle<const EYE: bool>(
         &mut self,
         path: &mut Path,
-        bundle: &Bundle<N>,
-        room: &mut Room<N>,
-        count: usize,
-        mut show: impl FnMut(Seen),
+        bundle: &Bundle<{ Lanes::COUNT }>,
+        room: &mut Room<{ Lanes::COUNT }>,
+        asked: u32,
+        mut show: impl FnMut(usize, Seen),
     ) {
         path.level += 1;
-        let plain = self.plain::<N, EYE>(path, bundle, room);
-        path.level -= 1;
-        let open = |(color, hit): (&Option<Rgb>, &Option<&Hit>)| color.is_none() && hit.is_some();
-        let several = N > 1 && plain.iter().zip(&bundle.hits).filter(|&pair| open(pair)).count() > 1;
-        if several {
-            self.look_at_layers(bundle, &plain);
+        let plain = self.plain::<_, EYE>(path, bundle, room);
+        let mut open = 0u32;
+        for (lane, (color, hit)) in plain.iter().zip(&bundle.hits).enumerate() {
+            open |= u32::from(color.is_none() && hit.is_some()) << lane;
         }
-        for lane in 0..count {
+        let (mut clear, mut told) = ([Seen::NOTHING; Lanes::COUNT], 0);
+        if self.glassy && open.count_ones() > 1 {
+            told = self.clear_together(path, bundle, open, room, &mut clear);
+            open &= !told;
+        }
+        path.level -= 1;
+        let several = open.count_ones() > 1;
+        if several {
+            self.look_at_layers(bundle, open);
+        }
+        for lane in 0..Lanes::COUNT {
+            if asked >> lane & 1 == 0 {
+                continue;
+            }
             // Shown where it is known: what comes together from several places goes through memory.
             match (plain[lane], bundle.hits[lane]) {
-                (Some(color), _) => show(Seen { color, transmit: 0.0 }),
+                (Some(color), _) => show(lane, Seen { color, transmit: 0.0 }),
+                _ if told >> lane & 1 == 1 => show(lane, clear[lane]),
                 (None, None) => {
                     path.ray.direction = bundle.rays[lane].direction;
-                    show(self.sky(path));
+                    show(lane, self.sky(path));
                 }
                 (None, hit) => {
-                    path.ray = bundle.rays[lane];
+                    (path.ray, path.weight) = (bundle.rays[lane], bundle.weights[lane]);
                     self.random = bundle.randoms.map_or(self.random, |randoms| randoms[lane]);
                     self.foreseen = if several { self.foresee(lane) } else { None };
-                    show(self.follow(&mut path.clone(), &hit.copied()));
+                    show(lane, self.follow(&mut path.clone(), &hit.copied()));
                 }
             }
         }
@@ -251,7 +268,8 @@ impl<'w> Tracer<'w> {
                 break;
             };
             let shaded = if self.world.geometry.parts().leaf(met.leaf).flags.contains(LeafFlags::OPAQUE) {
-                let alone = Bundle { rays: [path.ray], hits: [Some(met)], randoms: None };
+                let (rays, weights) = ([path.ray], [path.weight]);
+                let alone = Bundle { rays, weights, hits: [Some(met)], randoms: None };
                 if let [Some(seen)] = self.plain::<1, false>(path, &alone, &mut room) {
                     color += left * seen;
                     break;
@@ -283,8 +301,14 @@ impl<'w> Tracer<'w> {
     /// Whether a ray is neither too deep nor too faint.
     #[inline]
     fn allowed(&mut self, path: &Path) -> bool {
+        self.is_allowed(path.level, path.weight)
+    }
+
+    /// The same for a ray at a level with a weight.
+    #[inline]
+    pub(super) fn is_allowed(&mut self, level: u32, weight: f32) -> bool {
         let settings = &self.world.settings;
-        let (deep, faint) = (path.level >= settings.max_trace_level, path.weight < settings.adc_bailout);
+        let (deep, faint) = (level >= settings.max_trace_level, weight < settings.adc_bailout);
         self.statistics.too_deep += u64::from(deep);
         self.statistics.bailed_out += u64::from(faint && !deep);
         !deep && !faint

@@ -94,6 +94,8 @@ pub struct Geometry {
     bounded: Accel,
     /// The same for rays that travel together, where those that travel alone need no tree.
     few: Option<Bvh>,
+    /// All of them, where they are so few.
+    pub(super) all: Option<Within>,
     unbounded: Vec<u32>,
     /// Bounded objects turned inside out: they contain what is outside of their boxes.
     inverted: Vec<u32>,
@@ -122,7 +124,8 @@ impl Geometry {
         let bounded = Accel::new(boxes.clone(), accelerator);
         let plain = accelerator == Accelerator::Auto && matches!(bounded, Accel::Linear(_));
         let few = plain.then(|| Bvh::new(boxes));
-        Self { bounded, few, unbounded, inverted, parts }
+        let all = few.as_ref().map(Bvh::all);
+        Self { bounded, few, all, unbounded, inverted, parts }
     }
 
     /// The parts by number.

@@ -11,4 +11,6 @@ pub struct Needs {
     pub images: u64,
     /// Media inside objects.
     pub media: bool,
+    /// Random numbers, for finishes with grain.
+    pub grain: bool,
 }

@@ -152,6 +152,12 @@ impl Leaf {
         self.flags.contains(LeafFlags::LIMITED)
     }
 
+    /// Whether four rays of the world are held against it at once.
+    #[inline(always)]
+    pub fn meets_four(&self) -> bool {
+        self.transform.is_none() && !self.is_limited() && self.primitive.takes_four()
+    }
+
     /// The compound it is a member of.
     pub fn parent(&self) -> Option<u32> {
         self.rare.as_ref()?.parent.get()

@@ -69,7 +69,7 @@ impl Asking<'_> {
     #[inline(always)]
     fn lone(&self, number: u32) -> Option<&Leaf> {
         let leaf = self.geometry.lone(number)?;
-        (leaf.transform.is_none() && !leaf.is_limited() && leaf.primitive.takes_four()).then_some(leaf)
+        leaf.meets_four().then_some(leaf)
     }
 
     /// The bits of the rays that may meet an object, where its surface tells that better than its box, and where they
@@ -216,21 +216,63 @@ impl Geometry {
         self.unbounded().is_empty()
     }
 
-    /// What [`hit`](Self::hit) answers for the first `count` of four rays of a pencil, all with unit directions.
+    /// Whether there are so few objects that four rays ask for all of them at once.
+    pub fn is_little(&self) -> bool {
+        self.all.is_some()
+    }
+
+    /// What [`hit`](Self::hit) answers for those of any four rays whose bits are `asked`, all with unit directions: at once
+    /// where there is [little](Self::is_little) to ask.
+    #[inline(always)]
+    pub fn hits_of_four(&self, rays: &Rays, asked: u32, kind: RayKind, hits: &mut Told) {
+        if let Some(all) = &self.all {
+            let mut near = true;
+            for lane in 0..Lanes::COUNT {
+                near &= asked >> lane & 1 == 0 || all.holds(rays.ray(lane).origin);
+            }
+            if near {
+                return self.hits(all, rays, asked, kind, 0.0, hits);
+            }
+        }
+        for (lane, hit) in hits.iter_mut().enumerate() {
+            if asked >> lane & 1 == 1 {
+                *hit = self.hit(&rays.ray(lane), Range::AHEAD, kind);
+            }
+        }
+    }
+
+    /// The bits of those of four ways to lamps that meet nothing which light goes through or is stopped by, from where they
+    /// start to their ends, as far as that is told at once.
+    #[inline(always)]
+    pub fn free_of_four(&self, rays: &Rays, ends: Lanes) -> u32 {
+        let Some(all) = &self.all else { return 0 };
+        let mut free = (1 << Lanes::COUNT) - 1;
+        for &number in self.unbounded() {
+            free &= !self.may_stop(number, rays, ends);
+        }
+        for boxed in all.items() {
+            free &= !self.may_stop(boxed.number, rays, ends);
+        }
+        free
+    }
+
+    /// The bits of those of four ways that an object may be in.
+    #[inline(always)]
+    fn may_stop(&self, number: u32, rays: &Rays, ends: Lanes) -> u32 {
+        match self.lone(number) {
+            Some(leaf) if leaf.hidden.intersects(RayKind::SHADOW) => 0,
+            Some(leaf) if leaf.meets_four() => leaf.primitive.may_stop_four(rays, ends),
+            _ => !0,
+        }
+    }
+
+    /// What [`hit`](Self::hit) answers for those of four rays of a pencil whose bits are `asked`, all with unit directions.
     /// They start where they come from, or no farther ahead than they have `come`.
-    pub fn hits(
-        &self,
-        within: &Within,
-        rays: &Rays,
-        count: usize,
-        kind: RayKind,
-        come: f64,
-        hits: &mut Told,
-    ) {
+    pub fn hits(&self, within: &Within, rays: &Rays, asked: u32, kind: RayKind, come: f64, hits: &mut Told) {
         widest(
             #[inline(always)]
             || {
-                let asking = Asking { geometry: self, rays, kind, asked: (1 << count) - 1 };
+                let asking = Asking { geometry: self, rays, kind, asked };
                 let mut met = Met::NOTHING;
                 for &number in self.unbounded() {
                     met = asking.visit(number, met, hits, |_| !0);
@@ -247,7 +289,10 @@ impl Geometry {
                     });
                 }
                 let full = met.told();
-                for lane in 0..count {
+                for lane in 0..Lanes::COUNT {
+                    if asked >> lane & 1 == 0 {
+                        continue;
+                    }
                     if full >> lane & 1 == 0 {
                         hits[lane] = asking.hit(&met, lane);
                     }

@@ -113,6 +113,17 @@ pub struct Boxed {
     pub number: u32,
 }
 
+impl Boxed {
+    /// An item in a lane of a node, with so much room around its box.
+    fn new(node: &Node, lane: usize, room: f32, entry: f64, number: u32) -> Self {
+        let corner = |side: usize, room: f32| {
+            let face = |axis: usize| node.faces(axis)[side][lane] + room;
+            [face(0), face(1), face(2)]
+        };
+        Self { low: corner(0, -room), high: corner(1, room), entry, number }
+    }
+}
+
 /// The border of a pencil on one side of an axis, by a parameter that grows along it.
 #[derive(Clone, Copy)]
 struct Edge {
@@ -295,6 +306,25 @@ impl Bvh {
         true
     }
 
+    /// All items, for any rays.
+    pub fn all(&self) -> Within {
+        let (center, scale) = self.place();
+        let mut items = Vec::new();
+        for node in self.nodes() {
+            for (lane, &child) in node.children.iter().enumerate().filter(|&(_, &child)| child != u32::MAX) {
+                items.extend(
+                    super::bvh::item(child).map(|item| Boxed::new(node, lane, self.room(), 0.0, item)),
+                );
+            }
+        }
+        Within { items, center, scale }
+    }
+
+    /// What boxes are enlarged by for the rounding of rays that start near.
+    fn room(&self) -> f32 {
+        self.blur() + NEAR as f32 * SLACK
+    }
+
     /// Whether the items that rays of a pencil may meet are few enough to be listed in `within`.
     pub fn within(&self, pencil: &Pencil, within: &mut Within) -> bool {
         (within.center, within.scale) = self.place();
@@ -316,7 +346,7 @@ impl Bvh {
         let opposite = Bounds { min: beyond(from.max, through.min), max: beyond(from.min, through.max) };
         let near_piece = Piece::new(from, through, 1.0);
         let far_piece = (!pencil.ends).then(|| Piece::new(through, opposite, LAST));
-        let room = self.blur() + NEAR as f32 * SLACK;
+        let room = self.room();
         let mut stack = smallvec::SmallVec::<[u32; 32]>::new();
         stack.push(0);
         while let Some(number) = stack.pop() {
@@ -338,12 +368,7 @@ impl Bvh {
                     return false;
                 }
                 let entry = if first >> lane & 1 == 1 { near[lane] } else { 1.0 + far[lane] };
-                let entry = f64::from(entry) * unit;
-                let corner = |side: usize, room: f32| {
-                    let face = |axis: usize| node.faces(axis)[side][lane] + room;
-                    [face(0), face(1), face(2)]
-                };
-                items.push(Boxed { low: corner(0, -room), high: corner(1, room), entry, number: item });
+                items.push(Boxed::new(node, lane, room, f64::from(entry) * unit, item));
             }
         }
         items.sort_unstable_by(|a, b| a.entry.total_cmp(&b.entry));

@@ -106,6 +106,20 @@ impl Primitive {
         }
     }
 
+    /// The bits of those of four rays that may meet it ahead, before `ends`: all where [`Self::nearest_of_four`] doesn't
+    /// know it.
+    #[inline(always)]
+    pub fn may_stop_four(&self, rays: &Rays, ends: Lanes) -> u32 {
+        let distance = match self {
+            Self::Sphere(sphere) => sphere.nearest_of_four(rays),
+            Self::Plane(plane) => Some(plane.nearest_of_four(rays)),
+            Self::Box(cuboid) => return cuboid.near_of_four(rays),
+            _ => return !0,
+        };
+        let Some(distance) = distance else { return 0 };
+        distance.bits(|t| t > 0.0) & (ends - distance).bits(|room| room > 0.0)
+    }
+
     /// The bits of those of four rays that may meet it before `ends`, where that is told quickly and better than by its
     /// box; and where they meet it first, on part 0, as far as that is known: no number elsewhere.
     #[inline(always)]
