@@ -67,7 +67,7 @@ pub(super) fn needs(flat: &Flat, textures: &TextureCompiler, interiors: &[Arc<In
         uv: mapped || textures.uses_uv(),
         normals: textures.uses_normals,
         images: textures.images.iter().map(|images| images.len() as u64).sum(),
-        grain: textures.finishes.values().any(|(_, finish)| finish.crand > 0.0),
+        grain: textures.uses_grain,
         media: interiors.iter().any(|interior| !interior.media.is_empty()),
     }
 }

@@ -34,11 +34,13 @@ pub struct TextureCompiler<'a> {
     pub(super) uses_normals: bool,
     /// Whether a finish lets light pass below the surface.
     pub(super) uses_subsurface: bool,
+    /// Whether a finish has grain.
+    pub(super) uses_grain: bool,
     /// Whether functions give the last digit that POV-Ray's give, where another way is faster.
     pub(super) last_digits: bool,
     waves: Option<Arc<[WaveSource]>>,
     bodies: Cache<scene::texture::TextureBody, TextureBody>,
-    pub(super) finishes: Cache<scene::Finish, world::texture::Finish>,
+    finishes: Cache<scene::Finish, world::texture::Finish>,
     pub(super) pigments: Cache<scene::Pigment, Pigment>,
     pub(super) normals: Cache<scene::Normal, world::texture::Normal>,
     pub(super) functions: Cache<scene::Function, world::Function>,
@@ -60,6 +62,7 @@ impl<'a> TextureCompiler<'a> {
             uses_uv: false,
             uses_normals: false,
             uses_subsurface: false,
+            uses_grain: false,
             last_digits: false,
             waves: None,
             bodies: Cache::default(),
@@ -165,6 +168,7 @@ impl<'a> TextureCompiler<'a> {
             }
         };
         self.uses_subsurface |= finish.subsurface.is_some();
+        self.uses_grain |= finish.crand > 0.0;
         let paint = match &layer.paint {
             scene::texture::Paint::Color(color) => Paint::Even(*color),
             scene::texture::Paint::Pigment(pigment) => self.pigment(pigment)?.into(),

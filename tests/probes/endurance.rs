@@ -197,6 +197,59 @@ fn rays_from_the_eye_meet_together_what_they_meet_alone() {
 }
 
 #[test]
+fn rays_through_glass_see_together_what_they_see_alone() {
+    // Only where the kind of search is left open, and objects are few, do they go on together.
+    let sdl = |glass: &str, filling: &str, others: &str| {
+        format!(
+            "global_settings{{max_trace_level 7 adc_bailout .002}} camera{{location <0,1.5,-6> look_at <0,.4,0>}}
+            light_source{{<5,9,-8> rgb 1}} light_source{{<-9,4,-3> rgb .4 spotlight point_at 0 radius 9 falloff 12}}
+            background{{rgb <.2,.3,.5>}} plane{{y,-.6 pigment{{gradient x color_map{{[.5 rgb 1][.5 rgb .2]}}}}}}
+            #declare Glass=texture{{pigment{{rgbf<.95,1,.9,.9>}} finish{{{glass}}}}}
+            #declare Filling=interior{{ior 1.5 {filling}}}
+            sphere{{0,.6 texture{{Glass}} interior{{Filling}}}} {others}"
+        )
+    };
+    let fresnel = "specular .8 roughness .01 reflection{.05,.9 fresnel} conserve_energy";
+    for (glass, filling, others) in [
+        (fresnel, "", "sphere{<1,.3,.6>,.5 texture{Glass} interior{Filling}}"),
+        (
+            fresnel,
+            "fade_distance 1 fade_power 2 caustics 1",
+            "sphere{.2*y,.3 texture{Glass} interior{ior 1}}",
+        ),
+        (
+            "phong 1 reflection{.2,1 falloff 2 exponent 1.3 metallic}",
+            "",
+            "box{-.4,.3 rotate 20*y pigment{rgb .6}}",
+        ),
+        ("diffuse .4 .3 reflection .3", "", "box{<-2,-.4,-1>,<-.8,.6,0> texture{Glass} interior{ior 2.2}}"),
+        ("phong .5", "", "sphere{<-1,.5,0>,.4 pigment{rgb<1,.5,.2>} finish{reflection .4} no_shadow}"),
+        (
+            "specular .4",
+            "",
+            "torus{.7,.1 rotate 70*x pigment{rgb .8}} plane{-z,-3 texture{Glass} interior{ior 1.2}}",
+        ),
+        ("reflection .2", "dispersion 1.1", "sphere{x,.3 pigment{rgb x} finish{crand .3}}"),
+        ("reflection .2", "", "sphere{x,.3 pigment{rgb x} finish{crand .3}}"),
+    ] {
+        let sdl = sdl(glass, filling, others);
+        let of = |accelerator, sampling, antialias| {
+            let options = RenderOptions { accelerator, sampling, antialias, ..RenderOptions::new(67, 41) };
+            picture(&scene(&sdl, "3.7"), &options).unwrap().image
+        };
+        for (sampling, antialias) in [
+            (None, None),
+            (None, Some(Antialias::default())),
+            (Some(Sampling::Edges { error: 4.0, most: 64 }), None),
+        ] {
+            let [alone, together] =
+                [Accelerator::Linear, Accelerator::Auto].map(|a| of(a, sampling, antialias));
+            assert!(alone == together, "{glass}, {filling}, {others}, {sampling:?}");
+        }
+    }
+}
+
+#[test]
 fn rays_of_a_mesh_camera_meet_together_what_they_meet_alone() {
     let objects = "light_source{<5,9,-8> rgb 1} background{rgb <.2,.3,.5>}
         plane{y,-.5 pigment{checker rgb 1 rgb .2} finish{reflection .2}}
