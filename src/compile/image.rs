@@ -211,7 +211,9 @@ fn convert(decoded: Decoded, source: &ImageSource, purpose: Use, settings: &Sett
             Pixels::Bytes { channels, data, curve }
         }
         Raw::Bytes { channels, data } => Pixels::Bytes { channels, data, curve: table(255) },
-        Raw::Words { channels, data } => Pixels::Words { channels, data, curve: table(65535) },
+        Raw::Words { channels, data } => {
+            Pixels::Words { channels, data: Arc::new(data), curve: table(65535) }
+        }
         Raw::Floats(mut data) => {
             for [r, g, b, _] in &mut data {
                 (*r, *g, *b) = (light(*r), light(*g), light(*b));

@@ -32,7 +32,7 @@ pub enum Pixels {
     /// 8 bits per channel; the curve has 256 entries.
     Bytes { channels: usize, data: Vec<u8>, curve: Box<[f32]> },
     /// 16 bits per channel; the curve has 65536 entries.
-    Words { channels: usize, data: Vec<u16>, curve: Box<[f32]> },
+    Words { channels: usize, data: Arc<Vec<u16>>, curve: Box<[f32]> },
     /// Decoded red, green, blue, alpha.
     Floats(Vec<[f32; 4]>),
     /// Decoded colours.

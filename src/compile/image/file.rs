@@ -96,7 +96,8 @@ fn content(path: &Path) -> Result<Vec<u8>, Fault> {
     if length > MOST_BYTES {
         return Err(too_large(length));
     }
-    let mut bytes = Vec::new();
+    // All at once: of what grows every copy has pages of its own. One more for finding the end.
+    let mut bytes = Vec::with_capacity(length as usize + 1);
     file.take(MOST_BYTES).read_to_end(&mut bytes)?;
     Ok(bytes)
 }

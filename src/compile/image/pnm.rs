@@ -30,7 +30,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Decoded, Fault> {
         file.byte()?;
         let stored = file.take(if wide { 2 * count } else { count })?;
         if wide {
-            words.extend(stored.chunks_exact(2).map(|s| u16::from_be_bytes([s[0], s[1]])));
+            words.resize(count, 0);
+            for (word, stored) in words.iter_mut().zip(stored.as_chunks().0) {
+                *word = u16::from_be_bytes(*stored);
+            }
         } else {
             words.extend(stored.iter().copied().map(u16::from));
         }

@@ -1,5 +1,7 @@
 //! The samples of a `height_field` (docs/spec/primitives.md 5.4).
 
+use std::sync::Arc;
+
 use super::Compiled;
 use crate::compile::Unsupported;
 use crate::compile::image::Use;
@@ -23,32 +25,26 @@ pub fn height_field(
     images: &mut TextureCompiler,
 ) -> Result<Compiled, Unsupported> {
     let image = images.image(&field.image, Use::Number)?;
-    let mut heights = Vec::with_capacity(image.width * image.height);
-    let plain = plain_words(&image);
-    // The image's top row is the farthest.
-    for y in (0..image.height).rev() {
-        match plain {
-            Some(words) => heights.extend_from_slice(&words[y * image.width..][..image.width]),
-            None => heights.extend((0..image.width).map(|x| sample(&image, x, y))),
-        }
-    }
+    let heights = plain_words(&image).unwrap_or_else(|| {
+        let pixels = 0..image.width * image.height;
+        Arc::new(pixels.map(|pixel| sample(&image, pixel)).collect())
+    });
     let size = [image.width, image.height];
     Ok(Compiled::rare(HeightField::new(size, heights, field.water_level, field.smooth)))
 }
 
 /// The heights themselves, where 16 bits of grey are stored without a curve.
-fn plain_words(image: &Image) -> Option<&[u16]> {
+fn plain_words(image: &Image) -> Option<Arc<Vec<u16>>> {
     let Pixels::Words { channels: 1, data, curve } = &image.pixels else {
         return None;
     };
     let as_stored = |(v, light): (usize, &f32)| *light == v as f32 / WHITE as f32;
-    curve.iter().enumerate().all(as_stored).then_some(data)
+    curve.iter().enumerate().all(as_stored).then(|| data.clone())
 }
 
 /// The height of a pixel. Curves count only where the scene names one or white is not the brightest
 /// number that can be stored.
-fn sample(image: &Image, x: usize, y: usize) -> u16 {
-    let at = y * image.width + x;
+fn sample(image: &Image, at: usize) -> u16 {
     match &image.pixels {
         Pixels::Palette { indices, .. } => u16::from(indices[at]) * 256,
         Pixels::Bytes { channels, data, curve } => {

@@ -3,6 +3,8 @@
 mod along;
 mod cells;
 
+use std::sync::Arc;
+
 use self::cells::{Cells, Way};
 use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape};
@@ -18,8 +20,8 @@ use crate::world::{Range, Ray};
 pub struct HeightField {
     /// Samples along x and z.
     size: [usize; 2],
-    /// Row by row, z upward.
-    heights: Vec<u16>,
+    /// Row by row, z downward: shared with an image, whose top row is the farthest.
+    heights: Arc<Vec<u16>>,
     /// Where the samples are along x and z.
     places: [Vec<f64>; 2],
     /// Everything below is cut away.
@@ -36,9 +38,9 @@ const FULL: f64 = 65536.0;
 const NORMAL_STEPS: f64 = 32767.0;
 
 impl HeightField {
-    /// From the sizes along x and z, at least 2 each, and the samples row by row from z = 0.
+    /// From the sizes along x and z, at least 2 each, and the samples row by row from z = 1 down.
     /// `None` where their number is another one.
-    pub fn new(size: [usize; 2], heights: Vec<u16>, water: f64, smooth: bool) -> Option<Self> {
+    pub fn new(size: [usize; 2], heights: Arc<Vec<u16>>, water: f64, smooth: bool) -> Option<Self> {
         let [width, depth] = size;
         if width < 2 || depth < 2 || width.checked_mul(depth) != Some(heights.len()) {
             return None;
@@ -54,8 +56,9 @@ impl HeightField {
         Some(Self { size, heights, places, water, smooth, bounds, cells })
     }
 
+    #[inline(always)]
     fn height(&self, x: usize, z: usize) -> f64 {
-        f64::from(self.heights[z * self.size[0] + x])
+        f64::from(self.heights[(self.size[1] - 1 - z) * self.size[0] + x])
     }
 
     /// The point of the surface at a sample.
@@ -242,13 +245,25 @@ impl Shape for HeightField {
     }
 
     fn geometric_normal(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
-        let normal = face_normal(self.triangle(crossing.part));
-        if normal.y < 0.0 { -normal } else { normal }
+        upward(face_normal(self.triangle(crossing.part)))
     }
 
     fn reproject(&self, _point: DVec3, crossing: &Crossing) -> DVec3 {
         blend(self.triangle(crossing.part), crossing.at)
     }
+
+    fn touched(&self, _point: DVec3, crossing: &Crossing) -> Option<(DVec3, DVec3)> {
+        if self.smooth {
+            return None;
+        }
+        let corners = self.triangle(crossing.part);
+        Some((blend(corners, crossing.at), upward(face_normal(corners))))
+    }
+}
+
+/// A normal, turned upward.
+fn upward(normal: DVec3) -> DVec3 {
+    if normal.y < 0.0 { -normal } else { normal }
 }
 
 #[cfg(test)]
@@ -259,18 +274,18 @@ mod tests {
     /// The function of the probes, x²/2 + y·0.3, on 4 by 4 samples; row 0 is at the top.
     fn probed(water: f64, smooth: bool) -> HeightField {
         let sample = |i: usize| {
-            let (x, z) = ((i % 4) as f64 / 3.0, (i / 4) as f64 / 3.0);
+            let (x, z) = ((i % 4) as f64 / 3.0, (3 - i / 4) as f64 / 3.0);
             ((x * x * 0.5 + (1.0 - z) * 0.3) * 65535.0) as u16
         };
-        HeightField::new([4, 4], (0..16).map(sample).collect(), water, smooth).unwrap()
+        HeightField::new([4, 4], Arc::new((0..16).map(sample).collect()), water, smooth).unwrap()
     }
 
     fn hills() -> HeightField {
         let sample = |i: usize| {
-            let (x, z) = ((i % 40) as f64 / 39.0, (i / 40) as f64 / 29.0);
+            let (x, z) = ((i % 40) as f64 / 39.0, (29 - i / 40) as f64 / 29.0);
             ((0.5 + 0.3 * (9.0 * x).sin() * (7.0 * z).cos()) * 65535.0) as u16
         };
-        HeightField::new([40, 30], (0..1200).map(sample).collect(), 0.0, false).unwrap()
+        HeightField::new([40, 30], Arc::new((0..1200).map(sample).collect()), 0.0, false).unwrap()
     }
 
     battery! {
@@ -310,7 +325,7 @@ mod tests {
 
     #[test]
     fn what_lies_level_with_the_water_is_seen_from_everywhere() {
-        let flat = HeightField::new([5, 5], vec![0; 25], 0.0, true).unwrap();
+        let flat = HeightField::new([5, 5], Arc::new(vec![0; 25]), 0.0, true).unwrap();
         let aims = (0..1000).map(|i| {
             let (x, z) = (f64::from(i) / 1000.0, f64::from(i * 7 % 1000) / 1000.0);
             Ray::new(
@@ -336,7 +351,7 @@ mod tests {
         };
         for [width, depth] in [[2, 2], [5, 6], [3, 66], [18, 4], [17, 65], [2, 258]] {
             let heights = (0..width * depth).map(|_| (random() * 65535.0) as u16).collect();
-            let field = HeightField::new([width, depth], heights, 0.2, false).unwrap();
+            let field = HeightField::new([width, depth], Arc::new(heights), 0.2, false).unwrap();
             let cells =
                 (0..width * depth).filter(|cell| cell / width < depth - 1 && cell % width < width - 1);
             let parts: Vec<u32> = cells.flat_map(|cell| [2 * cell as u32, 2 * cell as u32 + 1]).collect();
@@ -363,7 +378,7 @@ mod tests {
 
     #[test]
     fn the_wrong_number_of_samples_makes_no_field() {
-        assert!(HeightField::new([4, 4], vec![0; 15], 0.0, false).is_none());
-        assert!(HeightField::new([1, 4], vec![0; 4], 0.0, false).is_none());
+        assert!(HeightField::new([4, 4], Arc::new(vec![0; 15]), 0.0, false).is_none());
+        assert!(HeightField::new([1, 4], Arc::new(vec![0; 4]), 0.0, false).is_none());
     }
 }

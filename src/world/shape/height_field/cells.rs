@@ -132,7 +132,7 @@ impl Axis {
 }
 
 impl Cells {
-    /// Between so many samples along x and z, given row by row.
+    /// Between so many samples along x and z, given row by row, z downward.
     pub(super) fn new(samples: [usize; 2], heights: &[u16]) -> Self {
         let mut levels = vec![Level::of_cells(samples, heights)];
         while let Some(finer) = levels.last().filter(|level| level.blocks.len() > 1) {
@@ -206,8 +206,8 @@ impl Level {
                         let [bottoms, tops] = &mut block.0;
                         let to = (x + SIDE).min(size[0]);
                         for row in 0..SIDE.min(size[1] - z) {
-                            let below = &heights[(z + row) * samples[0]..][x..=to];
-                            let above = &heights[(z + row + 1) * samples[0]..][x..=to];
+                            let below = &heights[(size[1] - z - row) * samples[0]..][x..=to];
+                            let above = &heights[(size[1] - z - row - 1) * samples[0]..][x..=to];
                             let (bottoms, tops) = (&mut bottoms[SIDE * row..], &mut tops[SIDE * row..]);
                             // The row of a whole block is of a length that is known.
                             match (below.first_chunk::<{ SIDE + 1 }>(), above.first_chunk::<{ SIDE + 1 }>()) {

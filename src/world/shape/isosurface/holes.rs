@@ -221,8 +221,8 @@ fn thin_solids_that_are_open_are_met() {
 fn thin_ridges_of_height_fields_are_met() {
     const SAMPLES: usize = 10_001;
     let height = |i: usize| if i % SAMPLES == SAMPLES / 2 { 60_000 } else { 0 };
-    let heights = (0..2 * SAMPLES).map(height).collect();
-    let ridge = HeightField::new([SAMPLES, 2], heights, 0.0, false).unwrap();
+    let heights: Vec<u16> = (0..2 * SAMPLES).map(height).collect();
+    let ridge = HeightField::new([SAMPLES, 2], Arc::new(heights), 0.0, false).unwrap();
     is_met_however_thin(ridge.clone(), &ridge, |dice| {
         let within = |v: DVec3| v * 0.3 + 0.5;
         let (from, to) = (within(dice.cube()).with_x(-1.5), within(dice.cube()).with_x(2.0));
