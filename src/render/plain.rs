@@ -64,10 +64,11 @@ impl Patterned<'_> {
         std::ptr::eq(self.pigment, other.pigment) && places[0] == places[1]
     }
 
+    #[inline(always)]
     fn color(&self, sample: &Sample) -> Option<Rgbft> {
         match self.placement {
             Some(way) => self.pigment.color(&sample.moved(way.point(sample.point))),
-            None => self.pigment.color(sample),
+            None => self.pigment.soon_color(sample),
         }
     }
 

@@ -145,6 +145,19 @@ impl Pattern {
         few && self.warps.is_soon_gone()
     }
 
+    /// The finished value at a point where it is one of the commonest that [is soon known](Self::is_soon_known), compiled
+    /// together with what is around it.
+    #[inline(always)]
+    pub fn soon_value(&self, point: DVec3) -> Option<f64> {
+        let raw = match &self.formula {
+            Formula::Checker => simple::checker(self.warps.soon_point(point)?),
+            Formula::Gradient(direction) => gradient(*direction, self.warps.soon_point(point)?),
+            _ => return None,
+        };
+        tally::patterns(1);
+        Some(self.finish(raw))
+    }
+
     /// The finished value at the point the pattern sees, which has gone through `warps` already.
     pub fn value_at(&self, p: DVec3, sample: &Sample) -> f64 {
         tally::patterns(1);
@@ -152,6 +165,7 @@ impl Pattern {
     }
 
     /// Frequency, phase and wave (docs/spec/patterns-textures.md 2.1).
+    #[inline(always)]
     fn finish(&self, raw: f64) -> f64 {
         let mut v = raw;
         if self.frequency != 0.0 {
@@ -164,13 +178,20 @@ impl Pattern {
         if v < 0.0 {
             v -= v.floor();
         }
-        match self.wave {
-            Wave::Ramp => v,
-            Wave::Triangle => triangle(v),
-            Wave::Sine => (1.0 + cycle(v)) * 0.5,
-            Wave::Scallop => cycle(v * 0.5).abs(),
-            Wave::Cubic => v * v * ((-2.0 * v) + 3.0),
-            Wave::Poly(exponent) => v.powf(exponent),
+        if self.wave == Wave::Ramp { v } else { self.wave.of(v) }
+    }
+}
+
+impl Wave {
+    /// What becomes of a value from 0 to 1.
+    fn of(self, v: f64) -> f64 {
+        match self {
+            Self::Ramp => v,
+            Self::Triangle => triangle(v),
+            Self::Sine => (1.0 + cycle(v)) * 0.5,
+            Self::Scallop => cycle(v * 0.5).abs(),
+            Self::Cubic => v * v * ((-2.0 * v) + 3.0),
+            Self::Poly(exponent) => v.powf(exponent),
         }
     }
 }
@@ -215,7 +236,7 @@ impl Formula {
             Self::Dents(generator) => noise::dents(*generator, p),
             Self::Fractal(fractal) => fractal.value(p),
             Self::Function(function) => fold(function.value(&sample.moved(p))),
-            Self::Gradient(direction) => fold(p.x * direction.x + p.y * direction.y + p.z * direction.z),
+            Self::Gradient(direction) => gradient(*direction, p),
             Self::Granite(generator) => noise::granite(*generator, p),
             Self::Hexagon => hexagon::value(p),
             Self::Image(map) => map.pattern_value(p),
@@ -244,34 +265,41 @@ impl Formula {
     }
 }
 
+/// How far a point is along a direction.
+#[inline(always)]
+fn gradient(direction: DVec3, p: DVec3) -> f64 {
+    fold(p.x * direction.x + p.y * direction.y + p.z * direction.z)
+}
+
 /// Values over 1 start again at 0; negative ones stay.
+#[inline(always)]
 fn fold(v: f64) -> f64 {
     if v > 1.0 { fraction(v) } else { v }
 }
 
 /// The same as the remainder `v % 1.0`, exactly, but for the detour through a loop; coordinates are
 /// kept well within what fits 64 bits.
-#[inline]
+#[inline(always)]
 fn fraction(v: f64) -> f64 {
     if v.abs() < 1e18 { v - v as i64 as f64 } else { v % 1.0 }
 }
 
 /// The same as `c.floor()`, of coordinates within what fits 64 bits: no call where the processor's
 /// rounding may not be used.
-#[inline]
+#[inline(always)]
 fn floor(c: f64) -> f64 {
     let whole = c as i64 as f64;
     if whole > c { whole - 1.0 } else { whole }
 }
 
 /// Whether a whole number is odd.
-#[inline]
+#[inline(always)]
 fn is_odd(whole: f64) -> bool {
     whole as i64 & 1 == 1
 }
 
 /// Number of the cell of size 1 that `c` is in; boundaries belong to the upper cell.
-#[inline]
+#[inline(always)]
 fn cell_above(c: f64) -> f64 {
     floor(c + EPSILON)
 }

@@ -69,6 +69,16 @@ impl Warps {
         p.clamp(-FARTHEST, FARTHEST)
     }
 
+    /// [`Warps::point`] if it [is soon gone](Self::is_soon_gone), compiled together with what is around it.
+    #[inline(always)]
+    pub fn soon_point(&self, mut p: DVec3) -> Option<DVec3> {
+        for step in &self.steps {
+            let Warp::Transform(transform) = step else { return None };
+            p = transform.inverse_point(p);
+        }
+        Some(p.clamp(-FARTHEST, FARTHEST))
+    }
+
     /// Where the pattern sees four points.
     pub fn four(&self, point: &[Lanes; 3]) -> [Lanes; 3] {
         if self.steps.is_empty() {

@@ -6,6 +6,7 @@ use super::{cell_above, floor, is_odd};
 use crate::math::DVec3;
 
 /// Unit cubes, 0 and 1 in turn.
+#[inline(always)]
 pub(super) fn checker(p: DVec3) -> f64 {
     let sum = cell_above(p.x) + cell_above(p.y) + cell_above(p.z);
     f64::from(is_odd(sum))

@@ -36,7 +36,7 @@ impl<T> BlendMap<T> {
     }
 
     /// The entries that show at `value`. Positions need not be sorted; the rule is then followed literally.
-    #[inline]
+    #[inline(always)]
     pub fn pick(&self, value: f64) -> Pick<&T> {
         let entries = &self.entries;
         let (last, last_entry) = &entries[entries.len() - 1];

@@ -35,10 +35,7 @@ impl Pigment {
     pub fn color(&self, sample: &Sample) -> Option<Rgbft> {
         match self {
             Self::Color(color) => Some(*color),
-            Self::Colors(pattern, map) => Some(match map.pick(pattern.value(sample)) {
-                Pick::One(color) => *color,
-                Pick::Two { previous, current, t } => blend(*previous, *current, t),
-            }),
+            Self::Colors(pattern, map) => Some(map.color(pattern.value(sample))),
             Self::Pigments(pattern, map) => {
                 let inner = sample.moved(pattern.warps.point(sample.point));
                 match map.pick(pattern.value_at(inner.point, sample)) {
@@ -67,6 +64,17 @@ impl Pigment {
             Self::Image(warps, map) => map.color(warps.point(sample.point)),
             Self::UvMapped(pigment) => pigment.color(&sample.uv_mapped()),
         }
+    }
+
+    /// [`Pigment::color`] where the commonest patterns are compiled together with what is around it.
+    #[inline(always)]
+    pub fn soon_color(&self, sample: &Sample) -> Option<Rgbft> {
+        if let Self::Colors(pattern, map) = self
+            && let Some(value) = pattern.soon_value(sample.point)
+        {
+            return Some(map.color(value));
+        }
+        self.color(sample)
     }
 
     /// The colour as a media density takes it.
@@ -99,6 +107,17 @@ impl Pigment {
     }
 }
 
+impl BlendMap<Rgbft> {
+    /// The colour at a value.
+    #[inline(always)]
+    fn color(&self, value: f64) -> Rgbft {
+        match self.pick(value) {
+            Pick::One(color) => *color,
+            Pick::Two { previous, current, t } => blend(*previous, *current, t),
+        }
+    }
+}
+
 /// What POV-Ray takes for a colour outside a `once` image.
 pub(super) const CLEAR: Rgbft = Rgbft { rgb: Rgb::ONE, filter: 0.0, transmit: 1.0 };
 
@@ -107,7 +126,7 @@ fn or_clear(color: Option<Rgbft>) -> Rgbft {
 }
 
 /// Every component by itself, the share in double precision (docs/spec/patterns-textures.md 3.2).
-#[inline]
+#[inline(always)]
 pub(super) fn blend(previous: Rgbft, current: Rgbft, t: f64) -> Rgbft {
     let (mut blended, current) = (previous.to_array(), current.to_array());
     // A loop: closures given to arrays become calls.
