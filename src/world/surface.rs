@@ -63,7 +63,7 @@ impl Intersection {
     }
 
     /// Where a ray in `direction` starts that leaves the surface here.
-    #[inline]
+    #[inline(always)]
     pub fn leave(&self, direction: DVec3) -> DVec3 {
         let outward = if direction.dot(self.geometric) < 0.0 { -self.geometric } else { self.geometric };
         self.point + self.error * outward
