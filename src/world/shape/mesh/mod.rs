@@ -1,7 +1,10 @@
 //! `mesh` and `mesh2` (docs/spec/primitives.md 4.3, 4.4).
 
-use std::collections::HashSet;
+mod rim;
+
 use std::sync::OnceLock;
+
+use rim::Rim;
 
 use super::triangle::{Meeting, Sheared, blend, face_normal};
 use super::{Crossing, Shape, uncrossed};
@@ -24,8 +27,8 @@ pub struct Mesh {
     textures: Column,
     bvh: Bvh,
     inside: Option<DVec3>,
-    /// Whether an even number of faces meet at each edge, once that was asked.
-    closed: OnceLock<bool>,
+    /// Once it was asked for.
+    rim: OnceLock<Rim>,
 }
 
 /// What the faces of a [`Mesh`] refer to.
@@ -116,22 +119,11 @@ impl Mesh {
         let textures = Column::new(faces, &order, |face| face.textures);
         let faces = order.into_iter().map(|i| face(&faces[i as usize]).vertices).collect();
         let inside = inside.filter(|direction| *direction != DVec3::ZERO);
-        Some(Self { bvh, lists, faces, normals, uvs, textures, inside, closed: OnceLock::new() })
+        Some(Self { bvh, lists, faces, normals, uvs, textures, inside, rim: OnceLock::new() })
     }
 
-    fn is_closed(&self) -> bool {
-        *self.closed.get_or_init(|| {
-            let mut odd = HashSet::new();
-            for &[a, b, c] in &self.faces {
-                for (p, q) in [(a, b), (b, c), (c, a)] {
-                    let edge = (p.min(q), p.max(q));
-                    if !odd.insert(edge) {
-                        odd.remove(&edge);
-                    }
-                }
-            }
-            odd.is_empty()
-        })
+    fn rim(&self) -> &Rim {
+        self.rim.get_or_init(|| Rim::new((0..self.faces.len() as u32).map(|face| self.corners(face))))
     }
 
     /// Calls back with every face that the ray meets in `range`, roughly the nearest first; the
@@ -264,10 +256,13 @@ impl Shape for Mesh {
     }
 
     fn inside_along(&self, point: &[Band; 3]) -> Band {
-        match self.is_closed() {
-            true => uncrossed::inside_along(self, point),
-            false => Band::between(0.0, 1.0),
-        }
+        let Some(vector) = self.inside else {
+            return Band::constant(0.0);
+        };
+        let rim = self.rim();
+        let passes =
+            |ray: &Ray, range: Range| self.occludes(ray, range) || rim.is_passed_behind(vector, ray, range);
+        uncrossed::inside_unless(self, passes, point)
     }
 
     fn is_solid(&self) -> bool {

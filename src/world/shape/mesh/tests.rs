@@ -1,5 +1,6 @@
 use super::super::battery::{self, battery, table};
 use super::*;
+use crate::math::Lanes;
 use crate::world::shape::battery::Dice;
 
 /// A mesh of flat triangles.
@@ -194,4 +195,30 @@ fn half_a_million_parts_in_one_place_make_a_hierarchy() {
         f64::INFINITY
     });
     assert_eq!(visited, 500_000);
+}
+
+#[test]
+fn what_lines_hold_of_a_mesh_that_is_not_closed() {
+    // Three sides of the four, so that what is inside goes on below.
+    let open = flat(&CORNERS, &SIDES[..3], Some(DVec3::new(0.1, 1.0, 0.2)));
+    assert!(!open.inside(DVec3::new(0.0, -0.5, -2.0)) && open.inside(DVec3::new(-0.3, -3.0, -0.8)));
+    let (mut sure, mut insides) = (0, 0);
+    for number in 0..4000 {
+        let mut dice = Dice::new(number);
+        let mut point = |size: f64| size * DVec3::from_array([(); 3].map(|()| 2.0 * dice.unit() - 1.0));
+        let (middle, along) = (point(2.0) - DVec3::Y, point(1.0) * 0.5_f64.powi((number % 12) as i32));
+        let line = [0, 1, 2].map(|i| Band::line(Lanes::splat(middle[i]), Lanes::splat(along[i])));
+        let band = open.inside_along(&line);
+        let (low, high) = (band.low().0[0], band.high().0[0]);
+        if high - low < 0.5 {
+            sure += 1;
+            for share in -8..=8 {
+                let inside = open.inside(middle + along * f64::from(share) / 8.0);
+                insides += u32::from(inside);
+                assert!((low..=high).contains(&f64::from(inside)), "{middle} {along} at {share}/8");
+            }
+        }
+    }
+    // Short lines hardly ever cross anything.
+    assert!(sure > 3000 && insides > 1000, "{sure} {insides}");
 }
