@@ -115,8 +115,9 @@ const AWAY: f64 = 5.0;
 /// The share of the coordinates that bands of shorter stretches don't tell apart, as points are rounded.
 const SHORTEST: f64 = 4096.0 * f64::EPSILON;
 
-/// A value on the surface beyond this share of what it changes by within a step tells of a jump.
-const JUMP: f64 = 0.25;
+/// A value at the surface that is so many times what it changes by within a step tells of a jump: where POV-Ray stops
+/// behind the surface, as `trace` does, it may be about what it changes by.
+const JUMP: f64 = 4.0;
 
 /// What is asked of a ray.
 #[derive(Clone, Copy)]
