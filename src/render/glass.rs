@@ -128,11 +128,13 @@ impl Tracer<'_> {
                 self.surfaces_of_four(bundle, met, room);
                 let (finish, color) = layer;
                 let lit = Lit { finish, color: color.rgb, opacity: self.opacity(&color) };
-                let mut answering = [None; FOUR];
-                for (lane, answering) in answering.iter_mut().enumerate() {
-                    *answering = Some(lit).filter(|lit| met >> lane & 1 == 1 && lit.is_lit());
-                }
-                let direct = self.lit_by_lamps::<FOUR, false>(&path.inside, bundle, &answering, room);
+                let direct = self.lit_by_lamps::<FOUR, false>(
+                    &path.inside,
+                    bundle,
+                    #[inline(always)]
+                    |lane| (met >> lane & 1 == 1).then_some(lit),
+                    room,
+                );
                 let own = finish.ambient * self.world.settings.ambient_light + finish.emission;
                 for lane in 0..FOUR {
                     let color = color.rgb * own * lit.opacity + direct[lane];

@@ -24,27 +24,30 @@ pub(super) struct Lit<'a> {
 impl Lit<'_> {
     /// Whether it answers light.
     #[inline(always)]
-    pub(super) fn is_lit(&self) -> bool {
+    fn is_lit(&self) -> bool {
         let scatters = self.opacity != 0.0 && (self.finish.diffuse > 0.0 || self.finish.diffuse_back > 0.0);
         scatters || self.finish.specular > 0.0 || self.finish.phong > 0.0
     }
 }
 
 impl Tracer<'_> {
-    /// The light that lamps make layers send to the eye, where rays met those that answer light.
+    /// The light that lamps make layers send to the eye, of the lanes that have `met` one.
     #[inline(always)]
-    pub(super) fn lit_by_lamps<const N: usize, const EYE: bool>(
+    pub(super) fn lit_by_lamps<'a, const N: usize, const EYE: bool>(
         &mut self,
         inside: &Inside,
         bundle: &Bundle<N>,
-        answering: &[Option<Lit>; N],
+        met: impl Fn(usize) -> Option<Lit<'a>>,
         Room { surfaces, incidents }: &mut Room<N>,
     ) -> [Rgb; N] {
         let world = self.world;
         let mut rooms = [const { Numbers::new() }; N];
         let (mut lamps, mut most) = ([&[][..]; N], 0);
         for (lane, room) in rooms.iter_mut().enumerate() {
-            let (Some(_), Some(hit)) = (&answering[lane], bundle.hits[lane]) else { continue };
+            let (Some(lit), Some(hit)) = (met(lane), bundle.hits[lane]) else { continue };
+            if !lit.is_lit() {
+                continue;
+            }
             let leaf = world.geometry.parts().leaf(hit.leaf);
             lamps[lane] = self.lamps_near(leaf, surfaces[lane].point, room);
             most = most.max(lamps[lane].len());
@@ -60,11 +63,11 @@ impl Tracer<'_> {
             let free =
                 if N > 1 && !EYE && self.glassy { self.free(index, &lamps, surfaces, incidents) } else { 0 };
             for lane in 0..N {
-                let (Some(lit), Some(hit)) = (&answering[lane], bundle.hits[lane]) else { continue };
                 let Some(&number) = lamps[lane].get(index) else { continue };
+                let (Some(lit), Some(hit)) = (met(lane), bundle.hits[lane]) else { continue };
                 let leaf = world.geometry.parts().leaf(hit.leaf);
                 let (surface, direction) = (&surfaces[lane], &bundle.rays[lane].direction);
-                let Lit { finish, color, opacity } = *lit;
+                let Lit { finish, color, opacity } = lit;
                 let lit = Surface { finish, color, opacity, normal: &surface.normal, direction };
                 let at = Target { surface, hit: Some(hit), inside, among: None };
                 let free = free >> lane & 1 == 1;

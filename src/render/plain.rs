@@ -204,13 +204,16 @@ impl<'w> Tracer<'w> {
         if unpainted {
             self.paint(bundle, &room.surfaces, &mut met);
         }
-        let mut answering = [None; N];
-        for lane in 0..N {
-            let Some(Plain { finish, color, .. }) = &met[lane] else { continue };
-            let lit = Lit { finish, color: *color, opacity: 1.0 };
-            answering[lane] = Some(lit).filter(|lit| lit.is_lit());
-        }
-        let direct = self.lit_by_lamps::<N, EYE>(&path.inside, bundle, &answering, room);
+        let direct = self.lit_by_lamps::<N, EYE>(
+            &path.inside,
+            bundle,
+            #[inline(always)]
+            |lane| {
+                let Plain { finish, color, .. } = met[lane].as_ref()?;
+                Some(Lit { finish, color: *color, opacity: 1.0 })
+            },
+            room,
+        );
         let surfaces = &room.surfaces;
         let mirrors =
             |plain: &Option<Plain>| plain.as_ref().is_some_and(|plain| plain.finish.reflection.is_some());

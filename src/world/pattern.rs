@@ -128,7 +128,7 @@ impl Pattern {
     }
 
     /// Whether its value takes hardly any time to find.
-    #[inline]
+    #[inline(always)]
     pub fn is_soon_known(&self) -> bool {
         let few = matches!(
             self.formula,

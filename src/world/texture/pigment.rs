@@ -84,6 +84,7 @@ impl Pigment {
     }
 
     /// Whether its colour takes hardly any time to find: one, or a pattern of a few operations.
+    #[inline(always)]
     pub fn is_soon_known(&self) -> bool {
         match self {
             Self::Color(_) => true,
