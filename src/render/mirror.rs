@@ -104,9 +104,19 @@ pub(super) fn mirrored(direction: DVec3, normal: DVec3, raw: DVec3) -> DVec3 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::math::dice::numbers;
+    use crate::world::{Ray, Rays};
+
+    /// Unit directions of four rays, each with a unit normal that faces it as origin.
+    pub(in crate::render) fn four_facing(number: &mut impl FnMut() -> f64) -> [Ray; Lanes::COUNT] {
+        [(); Lanes::COUNT].map(|()| {
+            let mut vector = || DVec3::new(number(), number(), number()).normalize();
+            let (direction, normal) = (vector(), vector());
+            Ray::new(if normal.dot(direction) > 0.0 { -normal } else { normal }, direction)
+        })
+    }
 
     /// Rows of docs/spec/shading.md 14: a 45 degree mirror under a sky `rgb <.2,.6,.9>`.
     #[test]
@@ -141,26 +151,15 @@ mod tests {
     fn four_rays_are_mirrored_as_each_alone() {
         let mut number = numbers(7);
         for turn in 0..1000 {
-            let mut vector = || DVec3::new(number(), number(), number()).normalize();
-            let directions = [vector(), vector(), vector(), vector()];
-            let mut normals = [vector(), vector(), vector(), vector()];
-            let (mut many, mut facing) = ([[Lanes::ZERO; 3]; 2], Lanes::ZERO);
-            for lane in 0..Lanes::COUNT {
-                if normals[lane].dot(directions[lane]) > 0.0 {
-                    normals[lane] = -normals[lane];
-                }
-                facing.0[lane] = -directions[lane].dot(normals[lane]);
-                for axis in 0..3 {
-                    many[0][axis].0[lane] = directions[lane][axis];
-                    many[1][axis].0[lane] = normals[lane][axis];
-                }
-            }
+            let rays = four_facing(&mut number);
+            let many = Rays::of(&rays);
+            let cosine = -Lanes::dot(&many.direction, &many.origin);
             let index = if turn % 2 == 0 { 1.5 } else { 1.0 / 1.5 };
-            let (back, share) = (mirrored_of_four(&many[0], &many[1]), fresnel_of_four(index, facing));
-            for lane in 0..Lanes::COUNT {
-                let alone = mirrored(directions[lane], normals[lane], normals[lane]);
-                assert_eq!(Lanes::point(&back, lane), alone);
-                assert_eq!(share.0[lane], fresnel(index, facing.0[lane]));
+            let back = mirrored_of_four(&many.direction, &many.origin);
+            let share = fresnel_of_four(index, cosine);
+            for (lane, Ray { origin: normal, direction }) in rays.into_iter().enumerate() {
+                assert_eq!(Lanes::point(&back, lane), mirrored(direction, normal, normal));
+                assert_eq!(share.0[lane], fresnel(index, -direction.dot(normal)));
             }
         }
     }

@@ -170,6 +170,8 @@ pub(super) fn refracted_of_four(
 mod tests {
     use super::*;
     use crate::math::dice::numbers;
+    use crate::render::mirror::tests::four_facing;
+    use crate::world::{Ray, Rays};
 
     fn glass(ior: f64) -> Interior {
         Interior { ior, ..Interior::default() }
@@ -190,24 +192,13 @@ mod tests {
     fn four_rays_are_bent_as_each_alone() {
         let mut number = numbers(3);
         for turn in 0..1000 {
-            let mut vector = || DVec3::new(number(), number(), number()).normalize();
-            let directions = [vector(), vector(), vector(), vector()];
-            let mut normals = [vector(), vector(), vector(), vector()];
-            let mut many = [[Lanes::ZERO; 3]; 2];
-            for lane in 0..Lanes::COUNT {
-                if normals[lane].dot(directions[lane]) > 0.0 {
-                    normals[lane] = -normals[lane];
-                }
-                for axis in 0..3 {
-                    many[0][axis].0[lane] = directions[lane][axis];
-                    many[1][axis].0[lane] = normals[lane][axis];
-                }
-            }
+            let rays = four_facing(&mut number);
+            let many = Rays::of(&rays);
             let ratio = if turn % 2 == 0 { 1.5 } else { 1.0 / 1.5 };
-            let (bent, bends) = refracted_of_four(&many[0], &many[1], ratio);
-            for lane in 0..Lanes::COUNT {
+            let (bent, bends) = refracted_of_four(&many.direction, &many.origin, ratio);
+            for (lane, Ray { origin: normal, direction }) in rays.into_iter().enumerate() {
                 let together = (bends >> lane & 1 == 1).then(|| Lanes::point(&bent, lane));
-                assert_eq!(together, refracted(directions[lane], normals[lane], ratio));
+                assert_eq!(together, refracted(direction, normal, ratio));
             }
         }
     }
